@@ -469,7 +469,7 @@ TEST_CASE("00.1 the disk covers exactly the pixels whose middle lies in it", "[0
     });
 }
 
-TEST_CASE("00.1 light and shadow have no specks and the right edges", "[00.1][hard]") {
+TEST_CASE("00.1 light and shadow have correct edges and no specks", "[00.1][hard]") {
     check_picture([](const Drawn& drawn) -> Finding {
         for (const Place::Kind kind : {Place::ground, Place::ball}) {
             const Shadow shadow = shadow_on(drawn, kind);

@@ -44,7 +44,7 @@ constexpr Corners four{{1, 2, 3}, {5, 7, 11}, {13, 17, 19}, {23, 29, 31}};
 
 }  // namespace
 
-TEST_CASE("00.2 the color at each corner is the color of that corner", "[00.2]") {
+TEST_CASE("00.2 at each corner the result is that corner's color", "[00.2]") {
     const char* const hint =
         "across = 0 is the left edge, across = 1 is the right edge, and down = 0 is the top. Mix "
         "by across along the top "
@@ -65,7 +65,7 @@ TEST_CASE("00.2 halfway between two corners the color is their mean", "[00.2]") 
     check_exactly(four, half, half, {Real(10.5), Real(13.75), 16}, hint);
 }
 
-TEST_CASE("00.2 between the corners their colors are mixed by across and down", "[00.2]") {
+TEST_CASE("00.2 across and down determine the share of each corner's color", "[00.2]") {
     const Corners corners{{0, 0, 0}, {16, 0, 0}, {0, 16, 0}, {0, 0, 16}};
     check_exactly(corners, Real(0.75), Real(0.25), {9, 1, 3},
                   "mix the two upper corners and the two lower corners by across, then mix the "

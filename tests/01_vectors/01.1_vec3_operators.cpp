@@ -62,7 +62,7 @@ TEST_CASE("01.1 a difference subtracts the second vector's components from the f
     check_minus({1, 2, 3}, {1, 2, 3});
 }
 
-TEST_CASE("01.1 a multiple multiplies every component", "[01.1]") {
+TEST_CASE("01.1 a product with a number multiplies every component", "[01.1]") {
     check_times({1, 2, 3}, 2);
     check_times({1, 2, 3}, -1);
     check_times({1, 2, 3}, Real(0.5));

@@ -55,7 +55,7 @@ TEST_CASE("01.8 the basis is orthonormal and right-handed", "[01.8]") {
     check_basis({real(0.6), real(-0.8), 0});
 }
 
-TEST_CASE("01.8 every axis and its opposite have an orthonormal basis", "[01.8][hard]") {
+TEST_CASE("01.8 the basis is orthonormal for every axis and its opposite", "[01.8][hard]") {
     for (const Real zero : {real(0.0), real(-0.0)})
         for (const Real one : {real(1.0), real(-1.0)}) {
             check_basis({one, zero, zero});
@@ -64,7 +64,8 @@ TEST_CASE("01.8 every axis and its opposite have an orthonormal basis", "[01.8][
         }
 }
 
-TEST_CASE("01.8 any direction has an orthonormal basis even close to the axes", "[01.8][hard]") {
+TEST_CASE("01.8 the basis is orthonormal for 10000 directions and close to the axes",
+          "[01.8][hard]") {
     rt::Rng rng{7, 1};
     const auto component = [&] { return rng.uniform(-1, 1); };
     for (int i = 0; i < 10000; ++i)
@@ -84,7 +85,7 @@ TEST_CASE("01.8 any direction has an orthonormal basis even close to the axes", 
         }
 }
 
-TEST_CASE("01.8 directions of whole numbers and their neighbors have an orthonormal basis",
+TEST_CASE("01.8 the basis is orthonormal for whole-number directions and their neighbors",
           "[01.8][hard]") {
     rt::Rng rng{7, 2};
     for (int x = -3; x <= 3; ++x)

@@ -374,9 +374,9 @@ TEST_CASE("02.3 even the smallest angle between view and up determines the basis
 
 TEST_CASE("02.3 look_at refuses a view without a direction or without an up", "[02.3][hard]") {
     INFO(
-        "look_at must throw std::domain_error.\nHint: normalize throws it for from - at; check "
-        "`up` "
-        "yourself before the cross product, and throw if up == Vec3{} or !is_finite(up)");
+        "look_at must throw std::domain_error.\nHint: normalize throws it if from - at has no "
+        "direction; check `up` yourself before the cross product, and throw if up == Vec3{} or "
+        "!is_finite(up)");
     const Vec3 from{1, 2, 3}, at{4, -5, 6}, up{0, 1, 0};
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const Real huge = for_this_precision<Real>(Real(1e30), Real(1e300));

@@ -107,7 +107,7 @@ TEST_CASE("02.5 every pixel is visited in any tile of a picture", "[02.5]") {
     }
 }
 
-TEST_CASE("02.5 a tile without pixels makes no call", "[02.5][hard]") {
+TEST_CASE("02.5 no call is made for a tile without pixels", "[02.5][hard]") {
     for (const Tile& tile :
          {Tile{}, Tile{5, 5, 5, 5}, Tile{5, 0, 5, 3}, Tile{0, 5, 3, 5}, Tile{6, 0, 5, 3},
           Tile{0, 6, 3, 5}, Tile{9, 9, 2, 2}, Tile{0, 0, -1, -1}, Tile{0, 0, 3, -2}})

@@ -251,7 +251,7 @@ TEST_CASE("04.1 the point lies on the surface within its error bound", "[04.1][h
     });
 }
 
-TEST_CASE("04.1 the error bound is the bound that the text derives", "[04.1][hard]") {
+TEST_CASE("04.1 the error bound equals the one derived in the text", "[04.1][hard]") {
     // Not far from the origin, where both parts of the bound count.
     for_shots(20000, 0, 1000, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);

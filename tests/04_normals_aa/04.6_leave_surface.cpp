@@ -56,7 +56,7 @@ std::string describe(const Place& place, Vec3 direction) {
 
 }  // namespace
 
-TEST_CASE("04.6 the ray starts just off the surface on the side it points to", "[04.6]") {
+TEST_CASE("04.6 the ray starts just off the surface on the side of its direction", "[04.6]") {
     Hit hit;
     hit.point = {0, 0, 1};
     hit.normal = {0, 0, 1};
@@ -219,7 +219,8 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
     CHECK(worst <= 1);
 }
 
-TEST_CASE("04.6 a ray into a tiny sphere far from the origin starts inside it", "[04.6][hard]") {
+TEST_CASE("04.6 a ray into a tiny sphere far from the origin starts inside the sphere",
+          "[04.6][hard]") {
     rt::Rng rng{46, 9};
     bool meets_far_side = true;
     for (int i = 0; i < 200'000 && meets_far_side; ++i) {
@@ -249,9 +250,8 @@ TEST_CASE("04.6 a ray into a tiny sphere far from the origin starts inside it", 
                       << " times the step from one coordinate to the next, and the cosine is "
                       << cosine);
         UNSCOPED_INFO(
-            "Hint: move the start inward along the normal, by no more than the errors of the point "
-            "and "
-            "the sum");
+            "Hint: move the start inward along the normal, by no more than the errors of the "
+            "point and the sum");
     }
     REQUIRE(meets_far_side);
 }

@@ -102,10 +102,9 @@ std::string what_comes_out(Work work) {
 }
 
 const char* const how_to_keep =
-    "an exception that leaves a thread's function ends the program: catch it there, whatever its "
-    "type, with catch (...), keep std::current_exception() in the worker's own slot, and rethrow "
-    "it "
-    "after all threads have ended. Two threads must not push_back to one vector";
+    "an exception that leaves a thread's function ends the program: catch it there with "
+    "catch (...), whatever its type; keep std::current_exception() in the worker's own slot, and "
+    "rethrow it after all threads have ended. Two threads must not push_back to one vector";
 
 }  // namespace
 

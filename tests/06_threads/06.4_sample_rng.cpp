@@ -339,8 +339,8 @@ TEST_CASE("06.4 every bit of the four numbers counts", "[06.4][hard]") {
         for (const Key& key : keys) sum += distance(key, changed(key));
         INFO("if bit "
              << bit << " of " << what
-             << " changes, about half of the first 64 drawn bits should change; the values "
-             << "are the number of bits that change, on average");
+             << " changes, about half of the first 64 drawn bits should change; the value is "
+             << "the mean number of bits that change");
         const double mean = sum / 16.0;  // 32, give or take 1
         REQUIRE(mean > 25.5);
         REQUIRE(mean < 38.5);

@@ -149,7 +149,7 @@ int largest_leaf(const rt::TreeNode& node) {
 
 }  // namespace
 
-TEST_CASE("07.3 at most leaf_size spheres stay together", "[07.3]") {
+TEST_CASE("07.3 up to leaf_size spheres stay together in one leaf", "[07.3]") {
     for (int count = 1; count <= 12; ++count) {
         const auto boxes = boxes_at(std::vector<Vec3>(static_cast<std::size_t>(count)));
         auto order = numbers(boxes.size());
@@ -365,7 +365,7 @@ TEST_CASE("07.3 the order is not copied", "[07.3]") {
     CHECK(bytes == nodes * sizeof(rt::TreeNode));
 }
 
-TEST_CASE("07.3 the member first of a leaf counts from the start of the order", "[07.3]") {
+TEST_CASE("07.3 the member first of a leaf counts from the start of the whole order", "[07.3]") {
     const auto boxes = rt::bounds_of(random_spheres(9));
     std::vector<int> order = numbers(9);
     const auto root =

@@ -209,7 +209,7 @@ TEST_CASE("07.5 the cheapest of all splits is found", "[07.5]") {
 
 // Few boxes at a time, because then a leaf often costs nearly as much as a split. They have all
 // sizes, some are in one place, and between them are other boxes, which do not count.
-TEST_CASE("07.5 the cheapest split or a leaf is found for any part", "[07.5][hard]") {
+TEST_CASE("07.5 the cheapest split or a leaf is chosen for any part of a scene", "[07.5][hard]") {
     rt::Rng rng{75, 5};
     for (int i = 0; i < 4000; ++i) {
         const Real size = any_size(rng, -9, 9);

@@ -449,7 +449,7 @@ void check_both_ways(const Lit& lit, const Ray& ray, int count) {
 
 }  // namespace
 
-TEST_CASE("08.4 sampling lights and finding them by chance agree within noise", "[08.4]") {
+TEST_CASE("08.4 sampling lights and finding them by chance give equal means", "[08.4]") {
     for (const Ray& ray : {to_floor, to_glass, to_metal}) check_both_ways(varied(false), ray, 5000);
     // A gray room, where much light comes by way of several walls: each takes its share.
     Lit room;
@@ -458,7 +458,8 @@ TEST_CASE("08.4 sampling lights and finding them by chance agree within noise", 
     check_both_ways(room, to_floor, 5000);
 }
 
-TEST_CASE("08.4 in fog sampling lights and finding them by chance agree", "[08.4][hard]") {
+TEST_CASE("08.4 sampling lights and finding them by chance give equal means in fog",
+          "[08.4][hard]") {
     for (const Ray& ray : {to_floor, to_glass, to_nothing})
         check_both_ways(varied(true), ray, 5000);
 }

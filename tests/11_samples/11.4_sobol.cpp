@@ -323,7 +323,7 @@ TEST_CASE("11.4 no flip of the first seven bits determines another", "[11.4][har
     CHECK(largest < 0.25);
 }
 
-TEST_CASE("11.4 the first seven flips have all patterns equally often", "[11.4][hard]") {
+TEST_CASE("11.4 the first seven flips show all patterns equally often", "[11.4][hard]") {
     constexpr int flips = 7, patterns = 1 << flips, each = 256;
     std::array<int, patterns> counts{};
     rt::Rng random{114, 11};

@@ -55,7 +55,7 @@ TEST_CASE("12.3 halfway between two corners the normal is their normalized mean"
                Vec3{2, 1, 1} / std::sqrt(Real(6)), "a has the weight 1 - u - v");
 }
 
-TEST_CASE("12.3 a direction on the right side stays as it is", "[12.3]") {
+TEST_CASE("12.3 a direction on the correct side stays unchanged", "[12.3]") {
     rt::Rng rng{123, 1};
     for (int i = 0; i < 20'000; ++i) {
         const Vec3 flat = any_direction(rng), smooth = leaning(rng, flat, real(0.5));

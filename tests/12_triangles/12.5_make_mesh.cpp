@@ -205,7 +205,7 @@ TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
         }
 }
 
-TEST_CASE("12.5 a polygon with a notch gets no triangle outside of it", "[12.5][hard]") {
+TEST_CASE("12.5 no triangle of a polygon with a notch lies outside the polygon", "[12.5][hard]") {
     Polygons all;
     // An arrowhead, whose third corner points inward.
     all.points = {{0, 0, 0}, {4, 4, 0}, {0, 2, 0}, {-4, 4, 0}};
