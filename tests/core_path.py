@@ -3,8 +3,9 @@
 
 For each chapter, compiles each exercise's answer with the plain headers of tests/plain in place of
 the solutions', in both precisions, and runs the core of its test cases. Then twice more, with some of
-the chapter's exercises as in the solutions, as for a learner who has taken some stars. An exercise
-without a plain header there or an edit here has no simpler form than the solution.
+the chapter's exercises as in the solutions, as for a learner who has taken some stars; an answer that
+includes the same plain headers as before is not tried again. An exercise without a plain header there
+or an edit here has no simpler form than the solution.
 
 With the plain headers of all chapters so far, a chapter's program draws a small picture, no line of
 its certificate fails but those of stars, and our answer to its graft passes. `course compare` calls
@@ -92,6 +93,21 @@ def plain_files(chapter):
     return files
 
 
+def plain_headers_of(exercise, chapter, plain):
+    """Which of the plain headers an exercise's answer includes, directly or not."""
+    own = ROOT / "tests" / chapter / exercise
+    places = [own, ROOT / "tests/support", ROOT / "common"]
+    places += [ROOT / kind / folder.name for folder in sorted((ROOT / "solutions").iterdir())
+               if folder.name <= chapter for kind in ("solutions", "chapters")]
+    seen, texts = set(), [(own / "answer.cpp").read_text()]
+    while texts:
+        for name in set(re.findall(r'^#include [<"](.*)[>"]', texts.pop(), re.M)) - seen:
+            seen.add(name)
+            found = [place / name for place in places if (place / name).exists()]
+            texts += [plain[name]] if name in plain else [found[0].read_text()] if found else []
+    return frozenset(seen & plain.keys())
+
+
 def check(build, folder, overlay, exercise, precision):
     """Runs the core of an exercise's test cases; returns what failed, or nothing, and whether stars are open."""
     target = "answer." + exercise + (".float" if precision == "float" else "")
@@ -168,20 +184,24 @@ def main():
                      if (ROOT / "tests" / chapter["name"] / e["id"] / "answer.cpp").exists()]
         if not files:
             continue
+        begun = set()  # exercises, with the plain headers that their answers include
         rng = random.Random(chapter["name"])
         half = len(exercises) // 2
         for way, solved in ("plain", []), ("stars", rng.sample(exercises, half)), (
                 "other_stars", rng.sample(exercises, half)):
             overlay = below / f"{chapter['name']}_{way}"
             overlay.mkdir(parents=True)
-            for name, text in files.items():
-                if any(name in e["files"] for e in solved):
-                    continue
+            plain = {name: text for name, text in files.items() if not any(name in e["files"] for e in solved)}
+            for name, text in plain.items():
                 (overlay / name).parent.mkdir(parents=True, exist_ok=True)
                 (overlay / name).write_text(text)
-            for precision in ("double", "float") if way == "plain" and chapter["uses_real"] else ("double",):
-                jobs += [(below / f"{way}_{chapter['name']}", overlay, e["id"], precision)
-                         for e in exercises if e not in solved]
+            for exercise in [e["id"] for e in exercises if e not in solved]:
+                headers = exercise, plain_headers_of(exercise, chapter["name"], plain)
+                if headers in begun:
+                    continue
+                begun.add(headers)
+                for precision in ("double", "float") if way == "plain" and chapter["uses_real"] else ("double",):
+                    jobs.append((below / f"{way}_{chapter['name']}", overlay, exercise, precision))
     failed = 0
     programs = []
     together = below / "together"  # the plain answers of all chapters so far
