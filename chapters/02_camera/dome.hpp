@@ -35,7 +35,7 @@ inline Vec3 toward(Real azimuth_deg, Real elevation_deg) {
 struct Beam {
     rt::Ray here, right, below;
 
-    // The change of some function of a ray from this pixel to the next.
+    // How much a function of a pixel's ray changes from this pixel to the next.
     template <class F>
     Real change(F f) const {
         return rt::portable::hypot(f(right) - f(here), f(below) - f(here));

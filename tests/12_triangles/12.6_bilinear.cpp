@@ -54,7 +54,7 @@ TEST_CASE("12.6 the color in the middle of a pixel is the pixel's color", "[12.6
                 "farther on; y counts upward in texture coordinates, but downward in an image");
 }
 
-TEST_CASE("12.6 between the middles of pixels their colors are mixed", "[12.6]") {
+TEST_CASE("12.6 colors are mixed between the middles of neighboring pixels", "[12.6]") {
     const Image image = numbered(8, 4);
     rt::Rng rng{126, 1};
     for (int i = 0; i < 2000; ++i) {
