@@ -94,11 +94,11 @@ TEST_CASE("07.1 directions with zero components of either sign are handled corre
                           "the ray runs along an axis, through the box: it meets the planes of the "
                           "other two slabs at infinity, one in front and one behind");
                     check(unit, from(2, Real(0.5)), d, ahead, false,
-                          "the ray runs along an axis, beside the box: it is never within one of "
-                          "the slabs");
+                          "the ray runs along an axis, beside the box: there is one slab that it "
+                          "never enters");
                     check(unit, from(Real(0.5), -1), d, ahead, false,
-                          "the ray runs along an axis, beside the box: it is never within one of "
-                          "the slabs");
+                          "the ray runs along an axis, beside the box: there is one slab that it "
+                          "never enters");
                 }
 }
 

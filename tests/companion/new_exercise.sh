@@ -38,8 +38,8 @@ says 2 "the next exercise of this chapter is 00.$((next + 1))" dev new "$id" --n
 stub=exercises/00_toolchain/rt/absorbed.hpp solution=solutions/00_toolchain/rt/absorbed.hpp
 mistakes=tests/mistakes/00_toolchain/$id.md cases=tests/00_toolchain/${id}_absorbed.cpp
 # It can be built, and its checkpoint passes and recognizes the stub; what is left is a person's.
-says 1 'needs three known mistakes or more, and has 1' dev check "$id"
-if grep -qv 'is still UNWRITTEN$\|needs three known mistakes or more, and has 1' said; then
+says 1 'needs at least three known mistakes, but has 1' dev check "$id"
+if grep -qv 'is still UNWRITTEN$\|needs at least three known mistakes, but has 1' said; then
     cat said
     exit 1
 fi

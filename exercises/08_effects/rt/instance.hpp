@@ -22,11 +22,11 @@ inline std::optional<Real> hit_instance(const Instance& instance, const Ray& ray
     return rt::todo("08.5", instance, ray, within);
 }
 
-// Exercise 08.5. Everything, in the world's coordinates, about the point where a ray, also in the
-// world's coordinates, meets an instance; t is what hit_instance returned. The point lies on the
-// surface. The normal has length 1, points outward, and is right for stretched spheres, too. front
-// is true if the ray came from outside, point_error is instance_error for this point, and material
-// is the instance's.
+// Exercise 08.5. Everything about the point where a ray meets an instance. The ray and the result
+// are in the world's coordinates; t is what hit_instance returned. The point lies on the surface.
+// The normal has length 1, points outward, and is right for stretched spheres, too. front is true
+// if the ray came from outside, point_error is instance_error for this point, and material is the
+// instance's.
 inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
     return rt::todo("08.5", instance, ray, t);
 }

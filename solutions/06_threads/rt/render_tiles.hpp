@@ -7,7 +7,8 @@
 
 namespace rt {
 
-// The number of tiles that cover this many pixels, 0 or more, in one direction.
+// How many tiles it takes to cover this many pixels in one direction. The number of pixels is 0 or
+// more.
 inline int tiles_along(int pixels, int tile_size) {
     return pixels / tile_size + (pixels % tile_size != 0);
 }

@@ -62,8 +62,9 @@ inline std::optional<LightSample> sample_light(const Sphere& light, Vec3 from, V
     const auto turn = sine_cosine_of_turn(place.y);
     const Vec3 direction = normalize(orthonormal_basis(apart / distance)
                                          .to_world({sine * turn.cosine, sine * turn.sine, cosine}));
-    // The near root of t^2 - 2 d cosine t + d^2 - r^2, over d: its discriminant is the difference
-    // of the squared sines, whole (2 - whole) - height (2 - height).
+    // The smaller solution of t^2 - 2 d cosine t + d^2 - r^2 = 0. A quarter of the discriminant,
+    // divided by d^2, is the difference of the squared sines:
+    // whole (2 - whole) - height (2 - height).
     const Real root = std::sqrt((whole - height) * (2 - whole - height));
     const Real near = (distance - radius) * ((distance + radius) / distance) / (cosine + root);
     return LightSample{direction, near, 1 / (2 * pi * whole)};

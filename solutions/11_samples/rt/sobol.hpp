@@ -16,7 +16,7 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
 // Point `index` of Sobol's sequence in two dimensions, in the order of the formula itself (not that
 // of a Gray code); point 0 is (0, 0). x has the bits of the index in reverse order. y is the
 // exclusive or of one column for each bit of the index that is 1. Column 0, which belongs to the
-// lowest bit, is 0x80000000, and each next column is c ^ c >> 1, where c is the column before it.
+// lowest bit, is 0x80000000, and each later column is c ^ c >> 1, where c is the column before it.
 //
 // Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1, exactly one is in each of the 2^m boxes of
 // equal size and shape into which repeated halving can cut the square. Source: Sobol', "On the
