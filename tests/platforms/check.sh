@@ -206,5 +206,6 @@ for name in "${names[@]}"; do
         failed=1
     fi
     rm -f "$log"
+    case $name in *-windows) tests/platforms/wine.sh --end ;; esac
 done
 exit $failed

@@ -1,14 +1,21 @@
 #!/bin/sh
 # wine.sh PROGRAM...: runs a program for Windows, with the compiler's libraries. With --boot instead, it makes what
-# wine needs before the first program, and says in which folder drive C: is.
+# wine needs before the first program, and says in which folder drive C: is. After it, wine's server stays until
+# --end: a server that ends when no program runs can reset the connection of the next one.
 set -eu
 # Names have letters beyond ASCII.
 export LC_ALL=C.UTF-8
 export WINEDEBUG="${WINEDEBUG:--all}" WINEDLLOVERRIDES='mscoree,mshtml='
 export WINEPREFIX="${WINEPREFIX:-${XDG_CACHE_HOME:-$HOME/.cache}/course-wine}"
 wine=$(command -v wine64 || command -v wine || echo /usr/lib/wine/wine64)
+server=$(command -v wineserver64 || command -v wineserver || echo /usr/lib/wine/wineserver64)
+if [ "$1" = --end ]; then
+    exec "$server" --kill
+fi
 if [ "$1" = --boot ]; then
     mkdir -p "$WINEPREFIX"
+    "$server" --kill || true
+    "$server" --persistent
     "$wine" wineboot --init
     echo "$WINEPREFIX/drive_c"
     exit
