@@ -307,7 +307,7 @@ TEST_CASE("03.2 t is within its error bound for near spheres", "[03.2][hard]") {
 
 const char* const cancels =
     "b^2 - 4 a c cancels when the sphere is far. 'The discriminant of a far sphere' in the text "
-    "derives a form whose terms are as small as the sphere";
+    "derives a form whose terms are small for a ray near the sphere";
 
 TEST_CASE("03.2 a sphere a million radii away is hit at an accurate t", "[03.2][hard]") {
     rt::Rng rng{32, 5};

@@ -24,8 +24,9 @@ inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Inte
     const Real r_squared = sphere.radius * sphere.radius;
 
     // b^2 - a c would cancel if the sphere is far away or small. This difference equals
-    // a r^2 - |f x d|^2, whose terms are all as small as the sphere. cross() of chapter 01 would
-    // also do, but its extra digits cost time and are of no use, because f is rounded already.
+    // a r^2 - |f x d|^2, whose terms are small for a ray near the sphere. cross() of chapter 01
+    // would also do, but its extra digits cost time and are of no use, because f is rounded
+    // already.
     const Vec3 moment{f.y * d.z - f.z * d.y, f.z * d.x - f.x * d.z, f.x * d.y - f.y * d.x};
     const Real quarter = a * r_squared - dot(moment, moment);
     if (!(a > 0 && quarter >= 0)) return {};  // most rays miss: they are done here
