@@ -15,8 +15,9 @@ fi
 if [ "$1" = --boot ]; then
     mkdir -p "$WINEPREFIX"
     "$server" --kill || true
-    "$server" --persistent
-    "$wine" wineboot --init
+    # These stay, so they must not hold on to the output of this script.
+    "$server" --persistent >/dev/null 2>&1
+    "$wine" wineboot --init >/dev/null 2>&1
     echo "$WINEPREFIX/drive_c"
     exit
 fi
