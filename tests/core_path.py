@@ -17,11 +17,13 @@ core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k, tracer.NN, N
 """
 
 import concurrent.futures
+import functools
 import json
 import os
 import pathlib
 import random
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -93,19 +95,25 @@ def plain_files(chapter):
     return files
 
 
-def plain_headers_of(exercise, chapter, plain):
-    """Which of the plain headers an exercise's answer includes, directly or not."""
-    own = ROOT / "tests" / chapter / exercise
-    places = [own, ROOT / "tests/support", ROOT / "common"]
-    places += [ROOT / kind / folder.name for folder in sorted((ROOT / "solutions").iterdir())
-               if folder.name <= chapter for kind in ("solutions", "chapters")]
-    seen, texts = set(), [(own / "answer.cpp").read_text()]
-    while texts:
-        for name in set(re.findall(r'^#include [<"](.*)[>"]', texts.pop(), re.M)) - seen:
-            seen.add(name)
-            found = [place / name for place in places if (place / name).exists()]
-            texts += [plain[name]] if name in plain else [found[0].read_text()] if found else []
-    return frozenset(seen & plain.keys())
+@functools.cache
+def compile_commands(build):
+    return json.loads((build / "compile_commands.json").read_text())
+
+
+def plain_headers_of(build, overlay, exercise):
+    """Which of the overlay's headers an exercise's answer includes, directly or not; the compiler says it."""
+    included = set()
+    for command in compile_commands(build):
+        if f"/answer.{exercise}.dir/" not in command["command"]:
+            continue
+        words = shlex.split(command["command"])
+        at = words.index("-o")
+        del words[at:at + 2]
+        first = next(i for i, word in enumerate(words) if word.startswith("-I"))
+        said = subprocess.run([*words[:first], f"-I{overlay}", *words[first:], "-MM"], cwd=command["directory"],
+                              check=True, capture_output=True, text=True).stdout
+        included.update(shlex.split(said.replace("\\\n", " ")))
+    return frozenset(str(file.relative_to(overlay)) for file in overlay.rglob("*.hpp") if str(file) in included)
 
 
 def check(build, folder, overlay, exercise, precision):
@@ -191,12 +199,13 @@ def main():
                 "other_stars", rng.sample(exercises, half)):
             overlay = below / f"{chapter['name']}_{way}"
             overlay.mkdir(parents=True)
-            plain = {name: text for name, text in files.items() if not any(name in e["files"] for e in solved)}
-            for name, text in plain.items():
+            for name, text in files.items():
+                if any(name in e["files"] for e in solved):
+                    continue
                 (overlay / name).parent.mkdir(parents=True, exist_ok=True)
                 (overlay / name).write_text(text)
             for exercise in [e["id"] for e in exercises if e not in solved]:
-                headers = exercise, plain_headers_of(exercise, chapter["name"], plain)
+                headers = exercise, plain_headers_of(build, overlay, exercise)
                 if headers in begun:
                     continue
                 begun.add(headers)
