@@ -48,24 +48,20 @@ const char* suggestion(const Nearest& expected, const Nearest& computed, std::si
            "near end unchanged";
 }
 
-std::string list_of(const Spheres& spheres) {
-    std::string list = std::to_string(spheres.size()) + " spheres";
+void check(const Spheres& spheres, const Ray& ray, Interval within, const Nearest& expected) {
+    const Nearest computed = nearest_sphere(spheres, ray, within);
+    std::string list;
     for (std::size_t i = 0; i < spheres.size() && i < 6; ++i)
         list += "\n  number " + std::to_string(i) + ": center " +
                 checkpoint::text(spheres[i].shape.center) + ", radius " +
                 checkpoint::text(spheres[i].shape.radius);
     if (spheres.size() > 6) list += "\n  and more";
-    return list;
-}
-
-void check(const Spheres& spheres, const Ray& ray, Interval within, const Nearest& expected) {
-    const Nearest computed = nearest_sphere(spheres, ray, within);
-    INFO(list_of(spheres) << "\nray from " << checkpoint::text(ray.origin) << " along "
-                          << checkpoint::text(ray.direction) << ", t from "
-                          << checkpoint::text(within.min) << " to "
-                          << checkpoint::text(within.max));
+    INFO(spheres.size() << " spheres" << list << "\nray from " << checkpoint::text(ray.origin)
+                        << " along " << checkpoint::text(ray.direction) << ", t from "
+                        << checkpoint::text(within.min) << " to " << checkpoint::text(within.max));
     INFO("expected " << text(expected) << ", actual " << text(computed)
                      << ".\nHint: " << suggestion(expected, computed, spheres.size()));
+    REQUIRE(text(computed) == text(expected));
     REQUIRE(computed == expected);
 }
 
