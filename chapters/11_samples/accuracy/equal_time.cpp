@@ -19,8 +19,6 @@ class Cover {
     struct Way {
         std::string name;
         std::function<Image(int samples, std::uint64_t seed)> draw;
-
-        bool sobol() const { return name.rfind("Sobol", 0) == 0; }
     };
 
     Cover() {
@@ -124,7 +122,7 @@ void study_equal_time(study::Report& report) {
                 1e-6 / few *
                 study::time_ns([&] { study::keep(ways[i].draw(few, 1)); }, {.rounds = 3});
             const int fits = std::max(1, static_cast<int>(std::lround(ms / sample_ms)));
-            all[i].samples = ways[i].sobol() ? good_count(fits) : fits;
+            all[i].samples = ways[i].name.starts_with("Sobol") ? good_count(fits) : fits;
         }
         for (std::uint64_t seed = 1; seed <= pictures; ++seed)
             for (std::size_t i = 0; i < ways.size(); ++i) {
