@@ -62,7 +62,7 @@ struct LightAbove {
 };
 
 // Two hundred spheres on the ground, with the effect of this name. For "matte", "instances" and
-// "own" there is no effect.
+// "own", the scene has no effect.
 SceneDescription scene_with(const char* name) {
     SceneDescription scene;
     const std::string effect = name;
@@ -203,18 +203,18 @@ void study_solid_angle(study::Report& report) {
 // What each effect costs where it is absent, compiled in but unused, and present.
 void study_each_effect(study::Report& report) {
     constexpr int width = 64, rows = 36;
-    constexpr std::array<const char*, 3> names{"absent", "compiled in", "present"};
     const SceneDescription matte = scene_with("matte");
     for (const NamedEffect& effect : all_effects) {
         const SceneDescription scene = scene_with(effect.name);
         Effects one;
         one.*effect.member = true;
         const Quality quality{4, 8, 1};
-        const std::array<DrawTile, 3> draws{
-            make_narrowest({}, matte, width, rows, quality).make_worker(),
-            make_narrowest(one, matte, width, rows, quality).make_worker(),
-            make_narrowest(one, scene, width, rows, quality).make_worker()};
-        std::array<std::uint64_t, 3> rays{};
+        const auto drawing = [&](const Effects& effects, const SceneDescription& drawn) {
+            return make_narrowest(effects, drawn, width, rows, quality).make_worker();
+        };
+        std::vector<DrawTile> draws{drawing({}, matte), drawing(one, matte)};
+        if (effects_of(scene).*effect.member) draws.push_back(drawing(one, scene));
+        std::vector<std::uint64_t> rays(draws.size());
         std::vector<study::Work> works;
         for (std::size_t i = 0; i < draws.size(); ++i)
             works.push_back([&, i] {
@@ -224,14 +224,11 @@ void study_each_effect(study::Report& report) {
                 study::keep(image);
             });
         std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 9});
-        // No scene has instances or the material of 05.6.
-        const std::size_t measured = effects_of(scene).*effect.member ? 3 : 2;
-        for (std::size_t i = 0; i < measured; ++i) {
+        for (std::size_t i = 0; i < draws.size(); ++i) {
             per_ray[i] /= static_cast<double>(rays[i]);
-            report.add({"effects", std::string(effect.name) + ", " + names[i],
-                        static_cast<double>(i), "absent, compiled in, present",
-                        per_ray[i] / per_ray[0], "times the time without", per_ray[i],
-                        "time per ray / ns"});
+            report.add({"effects", effect.name, static_cast<double>(i),
+                        "absent, compiled in, present", per_ray[i] / per_ray[0],
+                        "times the time without", per_ray[i], "time per ray / ns"});
         }
     }
 }
