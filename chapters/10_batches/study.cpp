@@ -164,9 +164,10 @@ WideTree without_leaves(WideTree tree) {
 }
 
 // How much time each part of the work takes. Each of four searches does less than the one before
-// it, and the differences between their times are the times of the parts: the first is a whole
-// search, the second knows in advance where its rays end, the third tests only boxes, and in the
-// fourth all rays end before they begin.
+// it, and the differences between their times are the times of three parts of a search: the first
+// is a whole search, the second knows in advance where its rays end, the third tests only boxes,
+// and in the fourth all rays end before they begin, so that its own time is that of making the rays
+// ready.
 void study_parts(study::Report& report, const StudyScene& scene, const Recorded& recorded) {
     const WideTree &tree = scene.ready.world, boxes = without_leaves(tree);
     Rays rays = recorded.camera;

@@ -11,9 +11,9 @@
 namespace app {
 
 // The strokes of a letter. Each point is written as a digit, its column, and a letter, its row.
-// Capitals reach from row a to row q; small letters such as p reach from row f down to row u. A
-// blank lifts the pen. There are letters, digits, some signs, and * for the degree sign; anything
-// else is a gap.
+// Capitals reach from row a to row q; small letters such as x reach from row f to row q, and those
+// such as p down to row u. A blank lifts the pen. There are letters, digits, some signs, and * for
+// the degree sign; anything else is a gap.
 inline std::string_view strokes(char letter) {
     constexpr std::string_view capitals[] = {"0q4a8q 1l7l",
                                              "0a0q5q7p8n8l7j5i0i 5i6h7f7d6b5a0a",

@@ -22,8 +22,9 @@ SignalHandler handler_of(int signal);
 // Opens a file whose bytes are to be read. Null if that fails; errno says why.
 std::FILE* open_for_reading(const std::filesystem::path& path);
 
-// Opens a file for writing. An existing file is emptied or, with `only_new`, is an error. Null if
-// opening fails; errno says why. A pipe without a reader is an error.
+// Opens a file for writing. A missing file is created; an existing file is emptied or, with
+// `only_new`, is an error. Null if opening fails; errno says why. A pipe without a reader is an
+// error.
 std::FILE* open_for_writing(const std::filesystem::path& path, bool only_new);
 
 // Renames a file. If another file already has the new name, that file is replaced. Throws

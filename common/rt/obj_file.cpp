@@ -54,9 +54,9 @@ bool is_corner(std::string_view word) {
 }
 
 // The text that the library may read: the lines of points, normals, texture coordinates and
-// polygons. All other lines are replaced with empty ones. The library itself checks nothing. It
-// takes a word that is not a number for 0, and a polygon of 256 corners for one without corners; a
-// line that begins with `t`, a tag, can make it allocate any amount of memory.
+// polygons. All other lines are replaced with empty ones. The library does not check what it reads.
+// It takes a word that is not a number for 0, and a polygon of 256 corners for one without corners;
+// a line that begins with `t`, a tag, can make it allocate any amount of memory.
 std::string checked(std::string_view bytes) {
     std::string lines;
     int number = 0;

@@ -17,8 +17,8 @@ struct TreeNode {
 
     bool is_leaf() const { return !left; }
 
-    // The tree below is destroyed node by node, by take_apart of exercise 00.4. This function
-    // destroys only nodes without children, whose destructors return at once.
+    // The tree below is destroyed node by node, by take_apart of exercise 00.4. When take_apart
+    // destroys a node, the node no longer has children, so its destructor returns at once.
     ~TreeNode() {
         if (is_leaf()) return;
         take_apart(std::move(left));

@@ -20,7 +20,7 @@ app::Picture show_ready(const Scene& scene, const app::Settings& settings,
 }
 
 // Prepares the camera for --show (given): unless bounces or samples are asked for, the camera
-// becomes a pinhole camera whose shutter opens only for a moment.
+// becomes a pinhole camera whose shutter closes at the moment at which it opens.
 inline void hold_still(CameraDescription& camera, const std::string& show) {
     if (show == "bounces" || show == "samples") return;
     camera.lens = {};

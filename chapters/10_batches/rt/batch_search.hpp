@@ -57,7 +57,7 @@ class BatchSearch {
 
   private:
     static constexpr unsigned octants = 8;
-    // A list with at most this many rays is searched faster one by one.
+    // If a list has at most this many rays, it is faster to search for one ray after the other.
     static constexpr std::size_t few_rays = 8;
     // The largest number of lists on a way down the tree: one for each node, and one for the leaf.
     static constexpr std::size_t most_lists = WideTree::most_nodes + 1;

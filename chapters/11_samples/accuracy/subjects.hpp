@@ -40,8 +40,8 @@ inline SceneDescription bead_scene() {
     return batches::make_scene(100'000, batches::scene_view());
 }
 
-// Rows of balls on a checkered floor: glass, every other ball hollow, and red matte balls on one
-// diagonal.
+// Rows of glass balls on a checkered floor, every other ball hollow. The balls on one diagonal are
+// red and matte instead.
 inline SceneDescription glass_scene() {
     SceneDescription scene;
     scene.camera.view = {{Real(2.5), Real(2.4), 8}, {0, Real(0.2), 0}, {0, 1, 0}, radians(36)};

@@ -158,7 +158,7 @@ void check_together(const app::Settings& settings) {
 }
 
 // Refines until `end`, in rounds. Each round draws half of the passes for which there is still
-// time, so that this number is well known before the last round.
+// time, so that it is well known before the last round how many passes still fit.
 void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
     for (Clock::time_point now; (now = Clock::now()) < end;) {
         const std::chrono::duration<double> spent = now - start, left = end - now;

@@ -12,8 +12,8 @@
 
 namespace rt {
 
-// Sobol's points of a pixel (given). Instead of averaging the samples, it calls keep(offset, light)
-// for each of them.
+// Sobol's points of a pixel (given). Instead of averaging the samples, KeptSamples calls
+// keep(offset, light) for each of them.
 template <class Keep>
 struct KeptSamples {
     SobolSamples samples;

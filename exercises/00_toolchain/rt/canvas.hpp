@@ -67,7 +67,7 @@ class Canvas {
 
 // Exercise 00.3. The canvas upside down: its first row becomes the last. The function takes a
 // canvas by value and returns one by value. If a canvas is moved into it, the result has the same
-// memory; no row or canvas is copied on the way. std::swap(a, b) exchanges two pixels.
+// memory; no other row or canvas is made on the way. std::swap(a, b) exchanges two pixels.
 // Star: an empty canvas stays empty.
 template <class Pixel>
 Canvas<Pixel> flipped(Canvas<Pixel> canvas) {

@@ -15,7 +15,7 @@ struct Dielectric {
     Real index = Real(1.5);  // of refraction: inside divided by outside
 };
 
-// The same with Schlick's reflectance instead of the exact one, for comparison.
+// The same material with Schlick's reflectance instead of the exact one, for comparison.
 struct SchlickDielectric {
     Real index = Real(1.5);
 };

@@ -8,7 +8,7 @@
 
 namespace rt {
 
-// Both functions work on `order`, a part of the tree's order, which holds the numbers of some
+// Both functions work on `order`, which is a part of the tree's order and holds the numbers of some
 // spheres. boxes[number] is the box of the sphere with that number, for all spheres of the scene.
 // Ignore the boxes of spheres that are not in `order`. Move the numbers within `order`, and copy
 // nothing.

@@ -15,12 +15,12 @@ inline Real surface_area(const Box& box) {
 
 // Exercise 07.5. Sorts the numbers of spheres so that the best split is between the first k of them
 // and the rest, and returns k, or 0 if no split is cheaper than a leaf. The candidates are all
-// splits of the spheres, sorted by the centers of their boxes along x, along y and along z; the
-// text gives the cost of a split and of a leaf. `order` has at least one number; ignore all other
-// boxes.
+// splits of the spheres when these are sorted by the centers of their boxes along x, along y or
+// along z; the text gives the cost of a split and of a leaf. `order` has at least one number;
+// ignore all other boxes.
 // Star: equal centers may come in any order, but the final order must be the one whose cost you
-// found to be the least. The time grows as n log(n) for n numbers. If the box around all spheres
-// has area 0, nothing is cheaper than a leaf.
+// found to be the least. The time grows as n log(n) for n numbers. If the box around the spheres in
+// `order` has area 0, nothing is cheaper than a leaf.
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
 inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     rt::todo("07.5", order, boxes);  // delete this line when you have filled the gaps

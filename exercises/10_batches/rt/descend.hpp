@@ -14,8 +14,8 @@ namespace rt {
 // the order of tree.order(node), nearest first, and finish each child before you begin the next.
 // Star: a node's list and masks must still be intact when its second child's turn comes, in chains
 // of a hundred nodes and for lists of a hundred thousand rays. So write a child's list at the
-// beginning of scratch.lists, and pass on only what follows it there, and what follows the node's
-// masks in scratch.masks. The tree's functions:
+// beginning of scratch.lists, and the node's masks at the beginning of scratch.masks, and pass on
+// only the memory after them. The tree's functions:
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of the child with index k. Returns the bits that
 //                                  are set in any mask. Call it once for a node, when the node's

@@ -10,7 +10,7 @@ namespace rt {
 // Everything about the point where a ray meets a sphere at t: the point, moved onto the surface;
 // the outward normal; the side that was hit; and how far off the surface rounding may have left the
 // point. t must be what hit_sphere returned for this sphere and ray. The side is right if the
-// cosine of the angle between direction and normal is above
+// cosine of the angle between direction and normal, without its sign, is above
 // 4 sqrt(epsilon (1 + distance / radius)), where the distance is measured from the ray's origin to
 // the center. If that distance exceeds 1 / (16 epsilon) radii, the side is a guess.
 inline Hit surface_hit(const Sphere& sphere, const Ray& ray, Real t) {

@@ -12,7 +12,7 @@ namespace rt {
 // down. The tree's functions:
 //   tree.test(node, list, masks)   writes a mask for each ray of the list: bit k is set if the ray
 //                                  meets the box of the child with index k. Returns the bits that
-//                                  any ray has
+//                                  are set in any mask
 //   tree.order(node)               the indices of the children, nearest first
 //   tree.child(node, place)        the child with index `place`: another node, or a leaf
 template <class Tree>

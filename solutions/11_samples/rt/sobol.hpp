@@ -43,10 +43,10 @@ inline FixedPoint2 sobol_point(std::uint32_t index) {
 // so on. Whether a bit of the fraction is flipped thus depends on the seed and on all higher bits,
 // and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
 // do their results. Over all seeds, each of the 128 patterns of the seven flips of the first three
-// bits occurs equally often. Each later flip happens half of the time, and any two flips are
-// unrelated; 32 bits of a seed cannot make all flips independent. All bits of the seed count: seed
-// + 1 gives a different scrambling. (One flip alone may change nearly every time the seed increases
-// by 1, as the first flip does here.)
+// bits occurs equally often. Each later flip happens half of the time, and any two agree about half
+// of the time; 32 bits of a seed cannot make all flips independent. All bits of the seed count:
+// seed + 1 gives a different scrambling. (One flip alone may change nearly every time the seed
+// increases by 1, as the first flip does here.)
 //
 // Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
 // bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum

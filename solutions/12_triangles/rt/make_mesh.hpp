@@ -15,12 +15,13 @@ namespace rt {
 // as the polygon and have an area; 0 if there is no such corner.
 inline std::size_t fan_start(const std::vector<Vec3>& corners) {
     const std::size_t count = corners.size();
-    // Twice the area vector of triangle i in the fan from the corner with index `start`.
+    // Twice the area of triangle i, as a vector along its normal, in the fan from the corner with
+    // index `start`.
     const auto area = [&](std::size_t start, std::size_t i) {
         const Vec3 at = corners[start];
         return cross(corners[(start + i) % count] - at, corners[(start + i + 1) % count] - at);
     };
-    Vec3 whole;  // the polygon's, the same for all fans
+    Vec3 whole;  // the sum of these vectors, the same for all fans
     for (std::size_t i = 1; i + 1 < count; ++i) whole += area(0, i);
     for (std::size_t start = 0; start < count; ++start) {
         bool all_face = true;

@@ -197,7 +197,7 @@ class Renderer {
     }
 
   private:
-    // The light that comes back along a ray. A path that has bounced `depth` times brings none.
+    // The light along a ray. A path that has bounced `depth` times and hits something brings none.
     Vec3 light(Ray ray, Random& random) const {
         Vec3 throughput{1, 1, 1};
         for (int bounce = 0; bounce <= scene_.depth; ++bounce) {
