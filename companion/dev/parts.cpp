@@ -146,7 +146,7 @@ void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong
     if (const std::string trouble = trouble_with_mistakes(course, exercise); !trouble.empty())
         wrong.push_back(trouble);
     else if (const auto count = read_mistakes(course.root / file).size(); count < few_mistakes)
-        wrong.push_back(file.generic_string() + "  needs at least three known mistakes, but has " +
+        wrong.push_back(file.generic_string() + " needs at least three known mistakes, but has " +
                         std::to_string(count));
 }
 
@@ -179,8 +179,9 @@ void judge_stub(const Exercise& exercise, std::vector<TestCase> tests, Lines& wr
     std::erase_if(tests,
                   [&](const TestCase& test) { return missing_exercise(test) == exercise.id; });
     if (!tests.empty())
-        wrong.push_back("the stub does not say that it is still to be written if you run " +
-                        quoted_cases(tests) + ": each test case must call it");
+        wrong.push_back("if you run " + quoted_cases(tests) +
+                        ", the stub does not say that it is still to be written: each test case "
+                        "must call it");
 }
 
 }  // namespace

@@ -241,7 +241,7 @@ TEST_CASE("03.1 a huge discriminant does not overflow", "[03.1][hard]") {
                         "other products must not overflow either");
 }
 
-TEST_CASE("03.1 coefficients a or c close to the largest number do not overflow", "[03.1][hard]") {
+TEST_CASE("03.1 nothing overflows if a or c is close to the largest number", "[03.1][hard]") {
     const char* const hint =
         "4 a c does not overflow here, but 4 * a or 4 * c does. Use b / 2, which is exact: "
         "difference_of_products then gives a quarter of the discriminant without the factor 4";

@@ -149,7 +149,7 @@ TEST_CASE("04.1 a hit from inside has the outward normal and is not in front", "
     CHECK_FALSE(hit.front);
 }
 
-TEST_CASE("04.1 the member front is correct for every ray", "[04.1]") {
+TEST_CASE("04.1 front and t and material are correct for every ray", "[04.1]") {
     for_shots(5000, 2, 100, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
         if (hit.t != shot.t) {

@@ -219,7 +219,7 @@ TEST_CASE("04.6 a ray into the sphere meets its far side", "[04.6][hard]") {
     CHECK(worst <= 1);
 }
 
-TEST_CASE("04.6 a ray into a tiny sphere far from the origin starts inside the sphere",
+TEST_CASE("04.6 a ray into a tiny sphere far from the scene's origin starts inside the sphere",
           "[04.6][hard]") {
     rt::Rng rng{46, 9};
     bool meets_far_side = true;

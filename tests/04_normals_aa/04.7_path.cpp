@@ -467,8 +467,7 @@ TEST_CASE("04.7 Russian roulette is correct on average", "[04.7]") {
     }
 }
 
-TEST_CASE("04.7 the throughput's largest channel is the probability that a path goes on",
-          "[04.7]") {
+TEST_CASE("04.7 the throughput's largest channel decides how likely a path is to go on", "[04.7]") {
     const Real bright = real(0.5), dim = real(0.125);
     for (const Color before :
          {Color{bright, dim, dim}, Color{dim, bright, dim}, Color{dim, dim, bright}}) {

@@ -72,7 +72,7 @@ std::string complaint_of_one(std::int64_t height, std::int64_t workers, std::int
 
 }  // namespace
 
-TEST_CASE("06.1 every row belongs to exactly one worker", "[06.1]") {
+TEST_CASE("06.1 every row has one worker and slices differ by at most one row", "[06.1]") {
     for (const int height : {64, 100, 270, 271, 540, 1079})
         for (int workers = 1; workers <= 64; ++workers) REQUIRE(complaint(height, workers) == "");
 }

@@ -115,7 +115,8 @@ TEST_CASE("08.1 a light whose radiance is black does not count as a light", "[08
           "even the faintest light is a light");
 }
 
-TEST_CASE("08.1 motion does not count if the shutter is closed", "[08.1][hard]") {
+TEST_CASE("08.1 all motion counts while the shutter is open and none while it is closed",
+          "[08.1][hard]") {
     SceneDescription scene = ball_of(matte);
     scene.spheres[0].velocity = {0, -1, 0};
     check(scene, {}, "the sphere moves, but the shutter time is 0");

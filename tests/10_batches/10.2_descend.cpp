@@ -168,7 +168,7 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
 
 }  // namespace
 
-TEST_CASE("10.2 each leaf of a node gets the rays that meet the leaf's box", "[10.2]") {
+TEST_CASE("10.2 leaves are visited in order with the rays that meet their boxes", "[10.2]") {
     for (std::uint64_t seed = 0; seed < 50; ++seed) check_descend(0, seed, 1 + seed % 7);
 }
 

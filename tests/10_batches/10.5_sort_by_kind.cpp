@@ -112,7 +112,7 @@ TEST_CASE("10.5 a list of 256 kinds is sorted", "[10.5][hard]") {
     for (const std::size_t size : {1, 10, 1000, 5000}) check_sort<256>(some_kinds(rng, size, 256));
 }
 
-TEST_CASE("10.5 the time to sort is proportional to the length of the list", "[10.5][hard]") {
+TEST_CASE("10.5 a list of 200000 paths is sorted correctly in less than a second", "[10.5][hard]") {
     rt::Rng rng{105, 3};
     const Kinds kinds = some_kinds(rng, 200'000, 8);
     std::vector<std::uint32_t> sorted(kinds.size());

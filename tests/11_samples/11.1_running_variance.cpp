@@ -258,7 +258,7 @@ TEST_CASE("11.1 several running variances do not affect each other", "[11.1]") {
         check_known(known[i], numbers[i], "keep everything in `known`: use no static variable");
 }
 
-TEST_CASE("11.1 the variance is accurate for numbers far from zero", "[11.1][hard]") {
+TEST_CASE("11.1 mean and squares are accurate for numbers far from zero", "[11.1][hard]") {
     rt::Rng rng{111, 4};
     const Real most = for_this_precision(Real(3), Real(9));
     for (int i = 0; i < 200; ++i) {
@@ -274,7 +274,7 @@ TEST_CASE("11.1 the variance is accurate for numbers far from zero", "[11.1][har
     check_known(known_of({-far, -far - 2}), {-far, -far - 2}, cancels_hint);
 }
 
-TEST_CASE("11.1 the variance of equal numbers is 0", "[11.1][hard]") {
+TEST_CASE("11.1 squares is 0 for equal numbers up to rounding", "[11.1][hard]") {
     rt::Rng rng{111, 5};
     for (int i = 0; i < 200; ++i) {
         const std::size_t size = 2 + rng() % 200;

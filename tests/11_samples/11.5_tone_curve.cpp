@@ -175,7 +175,7 @@ TEST_CASE("11.5 each stop doubles the light", "[11.5]") {
     for (int i = 0; i < 200; ++i) check_exposed(any_color(rng), rng.uniform(-10, 10));
 }
 
-TEST_CASE("11.5 green has the largest weight in the luminance", "[11.5]") {
+TEST_CASE("11.5 the luminance has the weights given in the text", "[11.5]") {
     check_luminance({1, 0, 0});
     check_luminance({0, 1, 0});
     check_luminance({0, 0, 1});

@@ -398,7 +398,7 @@ TEST_CASE("11.6 pictures of one pixel or row work with any radius", "[11.6][hard
                 "with the distance to the border, width - 1 - x: x + radius may overflow");
 }
 
-TEST_CASE("11.6 no light is lost where the albedo is 0", "[11.6][hard]") {
+TEST_CASE("11.6 pictures with an albedo of 0 or nearly 0 are filtered correctly", "[11.6][hard]") {
     const char* const hint =
         "a channel of the albedo may be 0: do not divide by it, and do not lose its light";
     rt::Rng rng{116, 6};

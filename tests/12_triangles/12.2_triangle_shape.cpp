@@ -59,7 +59,7 @@ void check_tree(const std::vector<SceneTriangle>& all, const Ray& ray) {
 
 }  // namespace
 
-TEST_CASE("12.2 the box encloses the triangle", "[12.2]") {
+TEST_CASE("12.2 the box fits the triangle", "[12.2]") {
     const Box box = rt::bounds_of(SceneTriangle{{{1, -7, 3}, {-4, 5, 9}, {2, 6, -8}}});
     INFO("the triangle is (1, -7, 3), (-4, 5, 9), (2, 6, -8), and your result is " << text_of(box));
     INFO("Hint: find the smallest and the largest x, y and z of the three corners");
@@ -72,7 +72,7 @@ TEST_CASE("12.2 the box encloses the triangle", "[12.2]") {
     check(box.high, {2, 6, 9});
 }
 
-TEST_CASE("12.2 the box encloses the corners in whatever order they come", "[12.2]") {
+TEST_CASE("12.2 the box fits the corners in whatever order they come", "[12.2]") {
     rt::Rng rng{122, 1};
     for (int i = 0; i < 5000; ++i) {
         const Triangle shape = plain_triangle(rng);

@@ -82,7 +82,7 @@ TEST_CASE("a new exercise has all of its parts, some of them to be written", "[d
             CHECK(small.text(file).find(placeholder) == std::string::npos);
         }
     CHECK(small.wrong() ==
-          std::vector<std::string>{mistakes + "  needs at least three known mistakes, but has 1"});
+          std::vector<std::string>{mistakes + " needs at least three known mistakes, but has 1"});
     const auto all = wrong_parts(small.course(), find_exercise(small.course(), "01.2"));
     for (const fs::path& file : made)
         if (small.text(file).find(unwritten) != std::string::npos)
