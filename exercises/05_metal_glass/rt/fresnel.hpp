@@ -28,7 +28,8 @@ inline Real fresnel_reflectance(Real cosine, Real eta) {
 
 // The same fraction by Schlick's approximation, with the cosine on the side of the smaller index,
 // so that the reflectance is the same from both sides of a surface, and 1 where total reflection
-// begins. Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
+// begins.
+// Source: Schlick, "An inexpensive BRDF model for physically-based rendering", 1994.
 inline Real schlick_reflectance(Real cosine, Real eta) {
     return rt::todo("05.4", cosine, eta);
 }
