@@ -24,7 +24,7 @@ Course side_build(const Course& course, const std::string& name,
         if (!compiler.empty()) command.push_back("-DCMAKE_CXX_COMPILER=" + compiler);
     }
     if (fs::exists(course.build / "_deps"))  // what was fetched is not fetched again
-        command.push_back("-DFETCHCONTENT_BASE_DIR=" + (course.build / "_deps").string());
+        command.push_back("-DFETCHCONTENT_BASE_DIR=" + (course.build / "_deps").generic_string());
     const std::string native = cached(course, "RT_NATIVE");
     if (!native.empty()) command.push_back("-DRT_NATIVE=" + native);
     command.insert(command.end(), arguments.begin(), arguments.end());

@@ -103,7 +103,7 @@ void print_question(const Course& course, const Open& open) {
           " (" + question.kind + (open.is_review ? ", review" : "") + ")\n" +
           wrapped(question.ask, "  "));
     if (!question.picture.empty())
-        print("  Look at " + neutral_picture(course, open).string() + '\n');
+        print("  Look at " + neutral_picture(course, open).generic_string() + '\n');
     for (std::size_t i = 0; i < question.choices.size(); ++i)
         print("    " + letter(i) + question.choices[i] + '\n');
 }

@@ -147,7 +147,7 @@ class Examination {
         fs::remove_all(course_.build / "certify");
         std::string folders;
         for (const Chapter& chapter : all)
-            folders += (course_.root / "exercises" / chapter.name).string() + ';';
+            folders += (course_.root / "exercises" / chapter.name).generic_string() + ';';
         fast_ = side_build(
             course_, "certify",
             {"-DCMAKE_BUILD_TYPE=Release", "-DCOURSE_YOURS=" + folders, "-DRT_WERROR=OFF"});

@@ -79,7 +79,7 @@ int demo(const Course& course, const Given&) {
     }
     const bool with_book = fs::exists(course.out() / "book/index.html");
     app::replace_file(course.out() / "index.html", gallery_html(exhibits, with_book));
-    std::printf("The gallery is in %s\n", (course.out() / "index.html").string().c_str());
+    std::printf("The gallery is in %s\n", (course.out() / "index.html").generic_string().c_str());
     return ok ? app::done : app::could_not;
 }
 

@@ -38,7 +38,7 @@ int own_new(const Course& course, const Given& given) {
     change_state(course, [&](State& state) {
         if (!own_passes(state.own)) state.own = {.folder = to.string()};
     });
-    print("Your folder is " + to.string() + ". Read TASK.md in it, then write main.cpp.\n" +
+    print("Your folder is " + to.generic_string() + ". Read TASK.md in it, then write main.cpp.\n" +
           "./course own judge " + folder + " --rung 1 tests the first rung.\n");
     return app::done;
 }

@@ -25,7 +25,7 @@ void place_in_out(const Course& course, std::vector<std::string>& options) {
     const auto placed = [&](const std::string& name) {
         if (name.empty() || name.find('/') != std::string::npos) return name;
         app::make_folder(course.out());
-        return (course.out() / name).string();
+        return (course.out() / name).generic_string();
     };
     const std::string with_name = "--out=";
     for (std::size_t i = 0; i < options.size(); ++i) {
@@ -92,7 +92,7 @@ int run(const Course& course, const Given& given) {
     if (!says_where(options)) {
         app::make_folder(course.out());
         const fs::path picture = course.out() / picture_name(chapter, options);
-        command.insert(command.end(), {"--out", picture.string()});
+        command.insert(command.end(), {"--out", picture.generic_string()});
     }
     command.insert(command.end(), options.begin(), options.end());
     const Result result =

@@ -64,7 +64,7 @@ int study(const Course& course, const Given& given) {
                                   .c_str());
     }
     std::printf("\n%s Tables and plots are in %s\n", words.c_str(),
-                study_folder(course, shown).string().c_str());
+                study_folder(course, shown).generic_string().c_str());
     return app::done;
 }
 

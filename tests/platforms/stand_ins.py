@@ -12,7 +12,7 @@ from pathlib import Path
 BUILD = Path(sys.argv[1])
 TOOLS = BUILD / "tools"
 TOOLS.mkdir(exist_ok=True)
-for name in ("cmake", "sh", "g++", "bash"):
+for name in ("cmake", "sh", "g++", "x86_64-w64-mingw32-g++-posix", "bash"):
     shutil.copy(BUILD / "bin/linux_program.exe", TOOLS / f"{name}.exe")
 
 COMPILER = re.compile(r"^(\S*ccache )?\S+-g\+\+-posix")

@@ -113,6 +113,36 @@ class Learner(unittest.TestCase):
         for part in ("hard", "broken"):
             self.course("own", "judge", f"{own}", "--part", part, "--seed", "1", code=0)
 
+    def picture(self, name):
+        """Takes a picture away that an earlier command drew, so that the next command must draw it."""
+        file = ROOT / "out" / name
+        file.unlink(missing_ok=True)
+        return file
+
+    def test_pictures(self):
+        drawn, compared = self.picture("03_sphere_mine.png"), self.picture("03_sphere_compare.png")
+        STUB.write_text(ANSWER)
+        self.course("check", "03.1", code=0)
+        self.assertIn("Yours: 03.1.", self.course("run", "03", "--width", "96", "--height", "54", code=0))
+        self.assertTrue(drawn.exists())
+        self.assertIn("same", self.course("compare", "03", code=0))
+        self.assertTrue(compared.exists())
+
+    def test_tracer(self):
+        drawn = self.picture("tracer.png")
+        self.course("tracer", "--from", "03", code=0)
+        self.course("tracer", "--graft", "03", "--seed", "1", code=0)
+        self.assertTrue(drawn.exists())
+
+    def test_words(self):
+        self.assertIn("03.1", self.course("hint", "03.1", code=0))
+        self.course("ask", "03", "--answer", "1")
+        self.course("certify", code=3)
+        self.assertTrue((ROOT / "out/certificate.html").exists())
+        STUB.write_text(ANSWER)
+        self.course("reset", "03.1", code=0)
+        self.assertEqual(STUB.read_text(), SHIPPED)
+
     def test_long_name(self):
         folder = BUILD / "/".join(["a name of forty letters, é ü 李, and more"] * 6)
         folder.mkdir(parents=True, exist_ok=True)
