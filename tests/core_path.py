@@ -117,7 +117,8 @@ def plain_headers_of(build, overlay, exercise):
 
 
 def check(build, folder, overlay, exercise, precision):
-    """Runs the core of an exercise's test cases; returns what failed, or nothing, and whether stars are open."""
+    """Runs the core of an exercise's test cases; returns what failed, or nothing, and whether stars are open, which
+    counts in double alone."""
     target = "answer." + exercise + (".float" if precision == "float" else "")
     place = folder / target
     place.mkdir(parents=True)
@@ -129,13 +130,17 @@ def check(build, folder, overlay, exercise, precision):
         return built.stdout + built.stderr, False
     made.rename(library)
     program = build / "check" / target.replace("answer.", "check.")
-    core, stars = (subprocess.run([program, which], capture_output=True, text=True, timeout=300,
-                                  env=dict(os.environ, LD_LIBRARY_PATH=str(place), COURSE_ANSWER=str(place)))
-                   for which in ("~[hard]", "[hard]"))
+
+    def run(which):
+        return subprocess.run([program, which], capture_output=True, text=True, timeout=300,
+                              env=dict(os.environ, LD_LIBRARY_PATH=str(place), COURSE_ANSWER=str(place)))
+
+    core = run("~[hard]")
+    is_open = precision == "double" and run("[hard]").returncode != 0
     shutil.rmtree(place)
     if core.returncode or "No tests ran" in core.stdout:
         return core.stdout[-3000:] + core.stderr[-2000:], False
-    return "", stars.returncode != 0
+    return "", is_open
 
 
 def differs(build, program, target):
@@ -234,7 +239,7 @@ def main():
                 programs.append((below / target, overlay, target))
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         for job, (wrong, is_open) in zip(jobs, pool.map(lambda job: check(build, *job), jobs)):
-            if is_open and job[3] == "double":
+            if is_open:
                 may_differ.update(files_of[job[2]])
             if wrong:
                 failed += 1
