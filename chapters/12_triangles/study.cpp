@@ -108,11 +108,12 @@ void study_needles(study::Report& report) {
             const Ray ray{from, normalize(aim - from)};
             const ExactVec3 n = cross(exact(triangle.b) - exact(a), exact(triangle.c) - exact(a));
             const Exact t = dot(exact(a) - exact(from), n) / dot(exact(ray.direction), n);
-            const std::array<std::optional<Real>, 3> found{Plain{triangle}.hit(ray, {}),
-                                                           Watertight{triangle}.hit(ray, {}),
-                                                           Planes{triangle}.hit(ray, {})};
-            for (std::size_t k = 0; k < 3; ++k)
-                if (found[k]) worst[k] = std::max(worst[k], study::error_in_ulp(*found[k], t));
+            const auto compare = [&](std::size_t way, const std::optional<Real>& found) {
+                if (found) worst[way] = std::max(worst[way], study::error_in_ulp(*found, t));
+            };
+            compare(0, Plain{triangle}.hit(ray, {}));
+            compare(1, Watertight{triangle}.hit(ray, {}));
+            compare(2, Planes{triangle}.hit(ray, {}));
         }
         const char* const names[]{"plain", "watertight", "planes made before"};
         for (std::size_t k = 0; k < 3; ++k)
