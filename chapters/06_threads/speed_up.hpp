@@ -50,7 +50,7 @@ inline std::vector<SpeedUp> speed_ups(const Scene& scene, int most) {
     for (const NamedStrategy& strategy : strategies())
         for (const int workers : worker_counts(most)) {
             rows.push_back({strategy.name, workers});
-            works.push_back([&, workers] { render(strategy.render, workers); });
+            works.push_back([&render, way = strategy.render, workers] { render(way, workers); });
         }
     const auto rounds = study::rounds_ns(works, {.rounds = 5, .clock = study::Clock::wall});
     std::size_t alone = 0;

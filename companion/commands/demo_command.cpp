@@ -16,10 +16,12 @@ namespace {
 // PPM.
 std::string render_scene(const Course& course, const Chapter& chapter) {
     const fs::path ppm = course.out() / (chapter.name + ".ppm");
-    const Result result =
-        run_process({.command = {course.program(chapter.name + "_solution").string(),
-                                 (course.build / chapter.scene).string(), ppm.string()},
-                     .output = Output::errors_shown});
+    // On Windows, a program may not be able to read the letters of a whole path.
+    const Result result = run_process(
+        {.command = {course.program(chapter.name + "_solution").string(),
+                     course.relative(course.build / chapter.scene), course.relative(ppm)},
+         .folder = course.root,
+         .output = Output::errors_shown});
     if (!result.ok()) throw app::Failure(how_it_ended(result));
     const Picture picture = parse_ppm(read_file(ppm));
     fs::remove(ppm);

@@ -91,15 +91,18 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
                                    const std::string& mesh) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
-    const fs::path scene_file = work_ / (number + ".txt"), picture = work_ / (number + ".ppm");
-    std::ofstream{scene_file, std::ios::binary} << scene;
-    if (!mesh.empty()) std::ofstream{work_ / "shape.obj", std::ios::binary} << mesh;
-    std::vector<std::string> words{scene_file.string(), picture.string()};
+    // The names are short and relative: on Windows, a program may not be able to read the letters
+    // of a whole path. The scene has a folder of its own, so a mesh beside it is not in the folder
+    // in which the program runs.
+    const fs::path folder = work_ / number, picture = work_ / (number + ".ppm");
+    fs::create_directories(folder);
+    std::ofstream{folder / "scene.txt", std::ios::binary} << scene;
+    if (!mesh.empty()) std::ofstream{folder / "shape.obj", std::ios::binary} << mesh;
+    std::vector<std::string> words{number + "/scene.txt", number + ".ppm"};
     words.insert(words.end(), options.begin(), options.end());
     Drawn drawn{call(words), {}, {}};
     std::error_code ignored;
-    fs::remove(scene_file, ignored);
-    fs::remove(work_ / "shape.obj", ignored);
+    fs::remove_all(folder, ignored);
     if (drawn.result.ok()) {
         if (!fs::exists(picture))
             throw app::Failure("the program own ended with exit code 0 but wrote no picture");

@@ -2,6 +2,8 @@
 # bad_input.sh PROGRAM: a chapter's program refuses what it should: one line on stderr, the right exit
 # code, no file left behind, an older image as it was.
 set -u
+# Freed memory is overwritten at once, so that a program that still uses it fails.
+export GLIBC_TUNABLES=glibc.malloc.perturb=165:glibc.malloc.tcache_count=0
 program=$1
 name=$(basename "$1")
 place=$(mktemp -d)
@@ -209,6 +211,10 @@ ln -s target.png link.png
 draws $small --out link.png && draws $small --out link.png
 { [ -L link.png ] && [ -f target.png ]; } || complain link.png "was replaced by the image"
 draws --width 1 --height 1 --out tiny.png
+# It says where the image went, and what it measured meanwhile.
+# shellcheck disable=SC2086
+"$program" $small --out told.png >"$place/stdout" 2>"$place/stderr" || complain told.png 'failed'
+grep -q '^told\.png: 30x20 pixels' "$place/stdout" || complain told.png 'is not named'
 timeout 20 cat pipe >from_pipe &
 draws --width 1 --height 1 --out pipe
 wait
