@@ -106,10 +106,7 @@ class Batches {
             search_.find_nearest(batch);
             if (found)
                 for (const PathRecord& path : batch)
-                    found->push_back({path.t, path.sphere < 0
-                                                  ? -1
-                                                  : static_cast<std::int32_t>(path.sphere) *
-                                                        static_cast<std::int32_t>(lanes)});
+                    found->push_back({path.t, static_cast<std::int32_t>(path.sphere)});
         }
     }
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <app/errors.hpp>
 #include <app/files.hpp>
 #include <app/json.hpp>
 #include <filesystem>
@@ -115,7 +116,10 @@ inline rt::SceneDescription scene_of(const Job& job) {
         scene = effects::final_scene();
     } else {
         std::string name = fs::temp_directory_path() / "scene.XXXXXX";
-        const fs::path folder = ::mkdtemp(name.data());
+        if (!::mkdtemp(name.data()))
+            throw app::Failure("a rank cannot make a folder in " +
+                               fs::temp_directory_path().string() + "; free some space there");
+        const fs::path folder = name;
         for (const auto& [file, bytes] : job.files) {
             fs::create_directories((folder / file).parent_path());
             std::ofstream{folder / file, std::ios::binary} << bytes;

@@ -8,7 +8,9 @@
 
 #include <app/errors.hpp>
 #include <app/run.hpp>
+#include <cmath>
 #include <cstdio>
+#include <limits>
 #include <rt/show_paths.hpp>
 #include <thread>
 
@@ -45,8 +47,10 @@ void choose_frame(const app::Settings& settings, Job& job) {
     const auto number = [&](const char* name) {
         const auto found = settings.numbers.find(name);
         if (found == settings.numbers.end()) return 0;
-        if (found->second != static_cast<int>(found->second))
-            throw app::UsageError("--" + std::string{name} + ": must be a whole number");
+        constexpr double most = std::numeric_limits<int>::max();
+        if (found->second > most || found->second != std::floor(found->second))
+            throw app::UsageError("--" + std::string{name} +
+                                  ": must be a whole number up to 2147483647");
         return static_cast<int>(found->second);
     };
     const int frame = number("frame"), frames = number("frames"), side = number("tile");

@@ -439,7 +439,9 @@ void Progress::step() {
     const int done_now = ++done_;
     if (!visible_) return;
     constexpr int bar_length = 40;
-    const auto filled_at = [&](int n) { return n * bar_length / std::max(steps_.load(), 1); };
+    const auto filled_at = [&](std::int64_t n) {
+        return static_cast<int>(n * bar_length / std::max(steps_.load(), 1));
+    };
     const int filled = filled_at(done_now);
     if (filled == filled_at(done_now - 1)) return;
     const std::string bar = std::string(static_cast<std::size_t>(filled), '#') +

@@ -180,8 +180,11 @@ std::string first_error(const Course& course, const std::string& output,
         }
         if (linker.empty() &&
             (has(line, "undefined reference to ") || has(line, "multiple definition of ") ||
-             has(line, "Undefined symbol")))
-            linker = "the linker says: " + line.substr(line.find_first_of("uUm", line.rfind(": ")));
+             has(line, "Undefined symbol"))) {
+            const auto colon = line.rfind(": ");  // Apple's linker writes none
+            linker = "the linker says: " +
+                     line.substr(line.find_first_of("uUm", colon == line.npos ? 0 : colon));
+        }
     }
     for (const Error& error : errors)
         if (error.is_within) return with_remedy(error);

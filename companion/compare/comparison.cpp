@@ -24,10 +24,6 @@ class Seeds {
     std::uint64_t next_;
 };
 
-bool same_size(const Picture& a, const Picture& b) {
-    return a.width == b.width && a.height == b.height;
-}
-
 // A test of a tile or block, of its light or its noise, in one channel. local_tests() lists all of
 // them in a fixed order.
 struct LocalTest {

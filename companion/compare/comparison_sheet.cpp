@@ -90,7 +90,11 @@ Image side_by_side(const Image& mine, const Image& ours) {
 }
 
 Image comparison_sheet(const Comparison& comparison) {
-    const Image mine = mean_of(comparison.mine), solution = mean_of(comparison.solution);
+    // If the sizes differ, those of the last pictures do.
+    const auto shown_of = [&](const std::vector<Picture>& pictures) {
+        return comparison.sizes_differ ? mean_of({pictures.back()}) : mean_of(pictures);
+    };
+    const Image mine = shown_of(comparison.mine), solution = shown_of(comparison.solution);
     const int width = solution.width(), height = solution.height();
     const Image map = comparison.sizes_differ ? Image{width, height, neither}
                                               : heat_map(comparison, mine, solution);

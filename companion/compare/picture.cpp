@@ -78,6 +78,8 @@ double light_of(std::uint8_t byte) {
 
 rt::Image mean_of(const std::vector<Picture>& pictures) {
     const Picture& first = pictures.front();
+    for (const Picture& picture : pictures)
+        if (!same_size(picture, first)) throw app::Failure("a program's pictures differ in size");
     return rt::make_image(first.width, first.height, [&](int x, int y) {
         const auto i = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(first.width) +
                             static_cast<std::size_t>(x));

@@ -1,3 +1,4 @@
+#include <app/errors.hpp>
 #include <cmath>
 #include <companion/own/accuracy.hpp>
 #include <companion/own/scenes.hpp>
@@ -21,6 +22,7 @@ double difference(const OwnProgram& a, const OwnProgram& b, const std::string& s
         of_b.push_back(b.picture(scene, options).picture);
     }
     const rt::Image mean_a = mean_of(of_a), mean_b = mean_of(of_b);
+    if (!same_size(of_a[0], of_b[0])) throw app::Failure("the pictures differ in size");
     double sum = 0;
     for (std::size_t i = 0; i < mean_a.pixels().size(); ++i) {
         const rt::Color d = mean_a.pixels()[i] - mean_b.pixels()[i];

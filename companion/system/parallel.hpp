@@ -3,6 +3,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -26,7 +27,10 @@ void in_parallel(std::size_t count, const Work& work) {
     };
     const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::thread> threads;
-    for (std::size_t i = 1; i < std::min(cores, count); ++i) threads.emplace_back(work_on);
+    try {
+        for (std::size_t i = 1; i < std::min(cores, count); ++i) threads.emplace_back(work_on);
+    } catch (const std::system_error&) {  // no more can be started: those that run do the work
+    }
     work_on();
     for (std::thread& thread : threads) thread.join();
     if (first) std::rethrow_exception(first);

@@ -13,21 +13,27 @@ complain() {
     sed 's/^/  stderr: /' "$place/stderr"
 }
 
-# stops SIGNAL CODE WORD
+# stops SIGNAL CODE WORD OPTIONS...
 stops() {
+    signal=$1 expected=$2 word=$3
+    shift 3
+    start=$(date +%s)
     # Far more work than time. Without --foreground, timeout would signal the program twice, and the second
     # signal would end it at once.
-    timeout --foreground --preserve-status -s "$1" 2 "$program" "$scene" --spp 20000 --quiet \
-        --out "$place/$1.png" >"$place/stdout" 2>"$place/stderr"
+    timeout --foreground --preserve-status -s "$signal" 2 "$program" "$scene" "$@" --quiet \
+        --out "$place/stopped.png" >"$place/stdout" 2>"$place/stderr"
     code=$?
-    [ "$code" -eq "$2" ] || complain "$1: exit code $code, not $2"
-    grep -q "stopped by $3; .*$1.png shows the [0-9]* % that are done" "$place/stderr" ||
-        complain "$1: does not say what it did"
-    [ "$(wc -l <"$place/stderr")" -eq 1 ] || complain "$1: not one line on stderr"
-    head -c 4 "$place/$1.png" | grep -q PNG || complain "$1: no picture"
+    [ $(($(date +%s) - start)) -lt 30 ] || complain "$signal, $*: ends late"
+    [ "$code" -eq "$expected" ] || complain "$signal, $*: exit code $code, not $expected"
+    grep -q "stopped by $word; .*stopped.png shows the [0-9]* % that are done" "$place/stderr" ||
+        complain "$signal, $*: does not say what it did"
+    [ "$(wc -l <"$place/stderr")" -eq 1 ] || complain "$signal, $*: not one line on stderr"
+    head -c 4 "$place/stopped.png" | grep -q PNG || complain "$signal, $*: no picture"
+    rm -f "$place/stopped.png"
 }
-stops INT 130 Ctrl-C
-stops TERM 143 SIGTERM
+stops INT 130 Ctrl-C --spp 20000
+stops TERM 143 SIGTERM --spp 20000
+stops INT 130 Ctrl-C --time-budget 60
 [ -z "$(find "$place" -name '*.part')" ] || complain "temporary files were left"
 
 # An ignored signal stays ignored: a shell's background jobs ignore Ctrl-C.

@@ -25,6 +25,8 @@ TEST_CASE("the first error is that of a compiler, with its source", "[build]") {
           "tests/t.cpp:3:5: fatal error: no");
     CHECK(first_error(here, "t.cpp:(.text+0x1): undefined reference to `f'\n") ==
           "the linker says: undefined reference to `f'");
+    CHECK(first_error(here, "Undefined symbols for architecture arm64:\n") ==
+          "the linker says: Undefined symbols for architecture arm64:");
     const std::string full = "cc1plus: out of memory allocating 2147483664 bytes";
     CHECK(first_error(here, full + '\n') == full);
 }

@@ -160,7 +160,7 @@ void check_together(const app::Settings& settings) {
 // Refines until `end`, in rounds. Each round draws half of the passes for which there is still
 // time, so that it is well known before the last round how many passes still fit.
 void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_point end) {
-    for (Clock::time_point now; (now = Clock::now()) < end;) {
+    for (Clock::time_point now; (now = Clock::now()) < end && app::Interruption::signal() == 0;) {
         const std::chrono::duration<double> spent = now - start, left = end - now;
         const auto passes = static_cast<double>(refinement.passes());
         const double more = passes * (left / spent);

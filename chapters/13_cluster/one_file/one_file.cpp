@@ -3,6 +3,7 @@
 //
 //     mpirun -n 4 build/bin/cluster_one_file WIDTH HEIGHT SAMPLES FILE.ppm
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <rt/image_file.hpp>
@@ -37,6 +38,9 @@ int main(int argc, char** argv) {
     scene.settings.width = std::atoi(argv[1]);
     scene.settings.height = std::atoi(argv[2]);
     scene.settings.samples_per_pixel = std::atoi(argv[3]);
+    if (std::min({scene.settings.width, scene.settings.height, scene.settings.samples_per_pixel}) <
+        1)
+        return app::bad_input;
     const TileGrid grid{scene.settings.width, scene.settings.height, 8};
     const std::string header =
         "P6\n" + std::to_string(grid.width) + ' ' + std::to_string(grid.height) + "\n255\n";
