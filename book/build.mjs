@@ -24,7 +24,9 @@ const { values: options, positionals } =
                 allowPositionals: true });
 const out = resolve(positionals[0] ?? join(root, 'out/book'));
 const read = file => readFileSync(join(root, file), 'utf8');
-const packaged = name => createRequire(import.meta.url).resolve(name);
+// Windows has backslashes in paths.
+const slashed = path => path.replaceAll('\\', '/');
+const packaged = name => slashed(createRequire(import.meta.url).resolve(name));
 
 // ---- The pages, in reading order -------------------------------------------------------------
 
@@ -104,7 +106,7 @@ const sameSize = (a, b) => JSON.stringify(sizeOf(a)) === JSON.stringify(sizeOf(b
 
 // The ways in which a page treats what its text names, relative to its source.
 function resolver(source) {
-    const file = href => normalize(join(dirname(source), href));
+    const file = href => slashed(normalize(join(dirname(source), href)));
     const existing = href => {
         if (!existsSync(join(root, file(href)))) throw new Error(`${source} names ${href}, which does not exist`);
         return file(href);
@@ -114,7 +116,7 @@ function resolver(source) {
     const chapter = chapters.find(one => one.text === source);
     const rightOf = src => {
         const right = chapter && rightPicture(join(root, file(src)), chapter);
-        return right && { src: relative(dirname(source), relative(root, right)), text: 'As it should be' };
+        return right && { src: slashed(relative(dirname(source), relative(root, right))), text: 'As it should be' };
     };
     return {
         link(href) {

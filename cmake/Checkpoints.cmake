@@ -60,7 +60,7 @@ function(course_linked_with target)
     list(APPEND ARGN "$<JOIN:$<TARGET_OBJECTS:course_exact_math>,\n>")
   endif()
   list(JOIN ARGN "\n" words)
-  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/link/${target}.txt CONTENT "${words}\n")
+  file(GENERATE OUTPUT ${CMAKE_BINARY_DIR}/link/${target}.txt CONTENT "${words}\n" NEWLINE_STYLE UNIX)
 endfunction()
 
 # course_as_answer(target real place chapter id folders...): makes a library an answer to this exercise, with the

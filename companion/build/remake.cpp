@@ -51,7 +51,7 @@ Remake::Remake(const Course& course, const std::string& target) {
             {entry.at("file").get<std::string>(), without_files(command_words(command))});
     }
     if (sources_.empty()) throw app::Failure(file.string() + " has no target " + target);
-    std::istringstream lines{read_file(course.build / "link" / (target + ".txt"))};
+    std::istringstream lines{read_text(course.build / "link" / (target + ".txt"))};
     for (std::string line; std::getline(lines, line);)
         if (!line.empty()) linked_.push_back(line);
 }

@@ -32,7 +32,8 @@ constexpr double patience = 120;  // seconds for a program's tests or measuremen
 std::string compiler(const Course& course) {
     const Result result =
         run_process({.command = {cached(course, "CMAKE_CXX_COMPILER"), "--version"}});
-    return result.ok() ? result.output.substr(0, result.output.find('\n')) : "unknown compiler";
+    return result.ok() ? result.output.substr(0, result.output.find_first_of("\r\n"))
+                       : "unknown compiler";
 }
 
 // "core passes, 2 stars open".
@@ -144,7 +145,8 @@ class Examination {
     // Builds all of the learner's code from scratch with -O3; every warning about a file in
     // exercises/ counts.
     void build_with_warnings(const std::vector<Chapter>& all) {
-        fs::remove_all(course_.build / "certify");
+        std::error_code held;  // a virus scanner may hold a program
+        fs::remove_all(course_.build / "certify", held);
         std::string folders;
         for (const Chapter& chapter : all)
             folders += (course_.root / "exercises" / chapter.name).generic_string() + ';';

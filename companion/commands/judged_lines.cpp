@@ -30,7 +30,8 @@ std::string folder_of(const std::string& line) {
 
 JudgedLines::JudgedLines(const Course& course, std::string program)
     : course_{course}, program_{std::move(program)}, on_terminal_{app::is_terminal(stdout)} {
-    fs::remove_all(course_.out() / "judge");
+    std::error_code held;  // a viewer may hold a picture
+    fs::remove_all(course_.out() / "judge", held);
     if (program_.find(' ') != std::string::npos) program_ = '"' + program_ + '"';
     if (on_terminal_) begins = [](const std::string& what) { print(dim("  " + what + " ...")); };
 }
@@ -90,7 +91,7 @@ bool judge_own(const Course& course, const fs::path& folder, std::uint64_t seed,
     if (part.empty())
         change_state(course, [&](State& state) {
             const bool first = core && state.own.first_passed == 0;
-            state.own = {folder.string(),
+            state.own = {folder.generic_string(),
                          hash,
                          lines.lines,
                          lines.passed,

@@ -33,10 +33,9 @@ int own_new(const Course& course, const Given& given) {
     if (fs::exists(to) && (!fs::is_directory(to) || !fs::is_empty(to)))
         throw app::UsageError(folder + " exists and is not empty; name a new folder");
     must_build(course, "own_start");
-    fs::create_directories(to);
-    fs::copy(course.build / "own_start", to, fs::copy_options::recursive);
+    copy_folder(course.build / "own_start", to);
     change_state(course, [&](State& state) {
-        if (!own_passes(state.own)) state.own = {.folder = to.string()};
+        if (!own_passes(state.own)) state.own = {.folder = to.generic_string()};
     });
     print("Your folder is " + to.generic_string() + ". Read TASK.md in it, then write main.cpp.\n" +
           "./course own judge " + folder + " --rung 1 tests the first rung.\n");

@@ -23,7 +23,7 @@ bool says_where(const std::vector<std::string>& options) {
 // pictures are.
 void place_in_out(const Course& course, std::vector<std::string>& options) {
     const auto placed = [&](const std::string& name) {
-        if (name.empty() || name.find('/') != std::string::npos) return name;
+        if (name.empty() || fs::path{name}.has_parent_path()) return name;
         app::make_folder(course.out());
         return (course.out() / name).generic_string();
     };

@@ -31,6 +31,7 @@ std::string name_of_copy(const fs::path& folder) {
 // The first error of a compiler or linker, in one line.
 std::string first_error_of(const std::string& output) {
     if (output.find("undefined reference to `main'") != std::string::npos ||
+        output.find("undefined reference to `WinMain") != std::string::npos ||
         output.find("_main") != std::string::npos)
         return "there is no main() yet; TASK.md says what to write";
     std::istringstream lines{output};

@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <app/platform.hpp>
 #include <companion/system/files.hpp>
 #include <cstdint>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
+#include <memory>
 
 namespace companion {
 
@@ -22,9 +22,16 @@ std::string why_no_file(const std::filesystem::path& path) {
 std::string read_file(const std::filesystem::path& path) {
     if (const std::string why = why_no_file(path); !why.empty())
         throw app::Failure("cannot read " + path.string() + ": it " + why);
-    std::ifstream in{path, std::ios::binary};
-    std::string bytes{std::istreambuf_iterator<char>{in}, {}};
-    if (!in.is_open() || in.bad()) throw app::Failure("cannot read " + path.string());
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    const std::unique_ptr<std::FILE, Close> file{app::open_for_reading(path)};
+    std::string bytes;
+    char buffer[1 << 14];
+    if (file)
+        for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
+            bytes.append(buffer, got);
+    if (!file || std::ferror(file.get())) throw app::Failure("cannot read " + path.string());
     return bytes;
 }
 
@@ -33,6 +40,17 @@ std::string read_text(const std::filesystem::path& path) {
     for (auto at = text.find("\r\n"); at != std::string::npos; at = text.find("\r\n", at))
         text.erase(at, 1);
     return text;
+}
+
+void copy_folder(const std::filesystem::path& from, const std::filesystem::path& to) {
+    std::filesystem::create_directories(to);
+    for (const auto& entry : std::filesystem::directory_iterator{from}) {
+        const auto copy = to / entry.path().filename();
+        if (entry.is_directory())
+            copy_folder(entry.path(), copy);
+        else
+            std::filesystem::copy_file(entry.path(), copy);
+    }
 }
 
 std::vector<std::filesystem::path> source_files(const std::filesystem::path& folder) {

@@ -1,8 +1,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <app/cores.hpp>
 #include <app/platform.hpp>
 #include <app/signals.hpp>
+#include <fstream>
+#include <set>
+#include <string>
+#include <thread>
 
 namespace app {
 
@@ -54,6 +60,19 @@ bool is_writable(const fs::path& path) {
 
 bool is_terminal(std::FILE* file) {
     return ::isatty(::fileno(file)) != 0;
+}
+
+int physical_cores() {
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    std::set<std::string> cores;
+    for (int i = 0;; ++i) {
+        std::ifstream in{"/sys/devices/system/cpu/cpu" + std::to_string(i) +
+                         "/topology/thread_siblings_list"};
+        std::string siblings;
+        if (!std::getline(in, siblings)) break;
+        cores.insert(siblings);
+    }
+    return cores.empty() ? threads : std::min(threads, static_cast<int>(cores.size()));
 }
 
 }  // namespace app

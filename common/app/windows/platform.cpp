@@ -3,14 +3,18 @@
 #include <sys/stat.h>
 #include <windows.h>
 
+#include <algorithm>
+#include <app/cores.hpp>
 #include <app/platform.hpp>
 #include <app/signals.hpp>
 #include <cerrno>
 #include <chrono>
+#include <cstddef>
 #include <cstdlib>
 #include <string_view>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 namespace app {
 
@@ -87,7 +91,13 @@ SignalHandler handler_of(int signal) {
 }
 
 std::FILE* open_for_reading(const fs::path& path) {
-    return ::_wfopen(path.c_str(), L"rb");
+    // A backup, a virus scanner or OneDrive may hold the file for a moment.
+    constexpr int tries = 100;
+    for (int i = 0;; ++i) {
+        std::FILE* const file = ::_wfopen(path.c_str(), L"rb");
+        if (file || errno != EACCES || i == tries || !fs::is_regular_file(path)) return file;
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
 }
 
 std::FILE* open_for_writing(const fs::path& path, bool only_new) {
@@ -126,6 +136,20 @@ bool is_writable(const fs::path& path) {
 bool is_terminal(std::FILE* file) {
     const auto handle = reinterpret_cast<HANDLE>(::_get_osfhandle(::_fileno(file)));
     return handle != INVALID_HANDLE_VALUE && (is_console(handle) || is_pipe_of_terminal(handle));
+}
+
+int physical_cores() {
+    const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+    DWORD size = 0;
+    ::GetLogicalProcessorInformationEx(RelationProcessorCore, nullptr, &size);
+    std::vector<std::byte> records(size);  // one for each core, of various lengths
+    const auto record = [&](DWORD at) {
+        return reinterpret_cast<SYSTEM_LOGICAL_PROCESSOR_INFORMATION_EX*>(records.data() + at);
+    };
+    int cores = 0;
+    if (size > 0 && ::GetLogicalProcessorInformationEx(RelationProcessorCore, record(0), &size))
+        for (DWORD at = 0; at < size; at += record(at)->Size) ++cores;
+    return cores == 0 ? threads : std::min(threads, cores);
 }
 
 }  // namespace app
