@@ -105,7 +105,8 @@ class Learner(unittest.TestCase):
     def test_9_own_judge(self):
         own = BUILD / "own"
         shutil.rmtree(own, ignore_errors=True)
-        shutil.copytree(BUILD / "own_start", own)
+        self.course("own", "new", f"{own}", code=0)
+        self.assertTrue((own / "scenes").is_dir())
         for file in (ROOT / "solutions/09_own").iterdir():
             shutil.copy(file, own)
         for rung in ("1", "3", "6"):
