@@ -94,12 +94,13 @@ TEST_CASE("the picture of a comparison shows both and where they differ", "[pict
 
 TEST_CASE("a program whose later pictures have another size is shown with such a picture",
           "[picture]") {
-    const Picture large{64, 32, std::vector<std::uint8_t>(64 * 32 * 3, 128)};
-    const Picture small{16, 8, std::vector<std::uint8_t>(16 * 8 * 3, 128)};
+    const Picture solution{64, 32, std::vector<std::uint8_t>(64 * 32 * 3, 128)};
+    const Picture large{64, 32, std::vector<std::uint8_t>(64 * 32 * 3, 120)};
+    const Picture small{16, 8, std::vector<std::uint8_t>(16 * 8 * 3, 120)};
     int drawn = 0;
     const auto mine = [&](std::uint64_t) { return ++drawn < 3 ? large : small; };
     const companion::Comparison found =
-        companion::compare({mine, [&](std::uint64_t) { return large; }, true});
+        companion::compare({mine, [&](std::uint64_t) { return solution; }, true});
     CHECK(found.sizes_differ);
     CHECK(found.words().at(0).find("16x8") != std::string::npos);
     CHECK(companion::comparison_sheet(found).height() == 32 * 8 + 34 + 12);
