@@ -1,6 +1,7 @@
 #include <app/value.hpp>
 #include <companion/model/course_file.hpp>
 #include <companion/system/files.hpp>
+#include <mutex>
 
 namespace companion {
 namespace {
@@ -122,10 +123,13 @@ CourseFile parse_course(const std::string& json) {
 }  // namespace
 
 CourseFile read_course_file(const Course& course) {
-    // The last file read is remembered, because a command asks for it many times.
-    thread_local std::string known;
-    thread_local CourseFile file;
+    // The last file read is remembered, because a command asks for it many times. It is not
+    // thread_local: MinGW frees such an object before it is destroyed.
+    static std::mutex reading;
+    static std::string known;
+    static CourseFile file;
     const std::string json = read_file(course.root / "course.json");
+    const std::lock_guard lock{reading};
     if (json != known) {
         file = parse_course(json);
         known = json;
