@@ -84,6 +84,21 @@ void replace_file(const fs::path& path, const std::string& bytes) try {
     throw std::system_error(error.code(), "cannot write " + path.string());
 }
 
+std::optional<std::string> read_bytes(const fs::path& path, std::size_t most) {
+    struct Close {
+        void operator()(std::FILE* file) const { std::fclose(file); }
+    };
+    const std::unique_ptr<std::FILE, Close> file{open_for_reading(path)};
+    if (!file) return {};
+    std::string bytes;
+    char buffer[1 << 14];
+    for (std::size_t got;
+         bytes.size() <= most && (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
+        bytes.append(buffer, got);
+    if (std::ferror(file.get())) return {};
+    return bytes;
+}
+
 std::string read_input_file(const fs::path& path, const std::string& name, std::size_t most) {
     const auto refuse = [&](const std::string& why) { throw UsageError(name + ' ' + why); };
     std::error_code error;
@@ -96,21 +111,12 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
     if (fs::is_directory(status)) refuse("is a folder; name a file in it");
     if (!fs::is_regular_file(status)) refuse("is a device or a pipe; name a regular file");
 
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Close> file{open_for_reading(path)};
-    if (!file)
+    const auto bytes = read_bytes(path, most);
+    if (!bytes)
         refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a readable file");
-    std::string bytes;
-    char buffer[1 << 14];
-    for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;) {
-        bytes.append(buffer, got);
-        if (bytes.size() > most)
-            refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
-    }
-    if (std::ferror(file.get())) refuse("cannot be read; name a readable file");
-    return bytes;
+    if (bytes->size() > most)
+        refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
+    return *bytes;
 }
 
 void make_folder(const fs::path& folder) {

@@ -3,6 +3,7 @@
 // folders.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace app {
@@ -16,6 +17,11 @@ void replace_file(const std::filesystem::path& path, const std::string& bytes);
 // The file that a path means: links are followed to the file that they point to, whether that file
 // exists or not. Throws std::system_error if the links form a circle.
 std::filesystem::path behind_links(std::filesystem::path path);
+
+// The contents of a file; of a file of more than `most` bytes only a beginning that is longer than
+// that. None if it cannot be read; errno says why.
+std::optional<std::string> read_bytes(const std::filesystem::path& path,
+                                      std::size_t most = std::string::npos);
 
 // The contents of a regular file of at most `most` bytes. Throws UsageError, whose message begins
 // with `name`, if the file is missing, is too large, cannot be read, or is a folder or a device.

@@ -150,8 +150,7 @@ bool ask_until_told(const Course& course, const Open& open) {
         print("> ");
         std::string line;
         if (!std::getline(std::cin, line)) return false;
-        if (line.ends_with('\r')) line.pop_back();  // from a console of Windows
-        if (line.empty()) return true;              // go on to the next question
+        if (line.empty()) return true;  // go on to the next question
         const Reply reply = take(course, open.question, line, wrong == 1);
         if (reply == Reply::right) return true;
         wrong += reply == Reply::wrong;

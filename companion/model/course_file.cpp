@@ -124,7 +124,7 @@ CourseFile parse_course(const std::string& json) {
 
 CourseFile read_course_file(const Course& course) {
     // The last file read is remembered, because a command asks for it many times. It is not
-    // thread_local: MinGW frees such an object before it is destroyed.
+    // thread_local: MinGW frees a thread's objects before it destroys them.
     static std::mutex reading;
     static std::string known;
     static CourseFile file;

@@ -120,7 +120,6 @@ std::vector<CertifiedFigure> read_measurements(const std::string& text) {
     std::vector<CertifiedFigure> all;
     std::istringstream in{text};
     for (std::string line; std::getline(in, line);) {
-        if (line.ends_with('\r')) line.pop_back();  // from a program on Windows
         const std::vector<std::string> fields = fields_of(line);
         if (fields.size() != 5) continue;
         const std::string& held = fields[0];

@@ -1,10 +1,9 @@
 #include <algorithm>
 #include <app/errors.hpp>
-#include <app/platform.hpp>
+#include <app/files.hpp>
 #include <companion/system/files.hpp>
 #include <cstdint>
 #include <cstdio>
-#include <memory>
 
 namespace companion {
 
@@ -22,17 +21,9 @@ std::string why_no_file(const std::filesystem::path& path) {
 std::string read_file(const std::filesystem::path& path) {
     if (const std::string why = why_no_file(path); !why.empty())
         throw app::Failure("cannot read " + path.string() + ": it " + why);
-    struct Close {
-        void operator()(std::FILE* file) const { std::fclose(file); }
-    };
-    const std::unique_ptr<std::FILE, Close> file{app::open_for_reading(path)};
-    std::string bytes;
-    char buffer[1 << 14];
-    if (file)
-        for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file.get())) > 0;)
-            bytes.append(buffer, got);
-    if (!file || std::ferror(file.get())) throw app::Failure("cannot read " + path.string());
-    return bytes;
+    const auto bytes = app::read_bytes(path);
+    if (!bytes) throw app::Failure("cannot read " + path.string());
+    return *bytes;
 }
 
 std::string read_text(const std::filesystem::path& path) {

@@ -16,8 +16,8 @@ std::string read_file(const std::filesystem::path& path);
 // return at the end of each line, which is left out.
 std::string read_text(const std::filesystem::path& path);
 
-// Copies a folder with all that is in it. (On Windows, std::filesystem::copy takes two folders for
-// one.)
+// Copies a folder with all that is in it. (On Windows, std::filesystem::copy refuses: it takes the
+// two folders for the same one.)
 void copy_folder(const std::filesystem::path& from, const std::filesystem::path& to);
 
 // The files in a folder and its subfolders, sorted; none if the folder does not exist. An editor's

@@ -8,6 +8,7 @@
 // A line that only informs starts with "shows" and has an empty bound. Exit code 0 when all hold, 1
 // when not, 3 when an exercise is still to be written.
 
+#include <app/platform.hpp>
 #include <cmath>
 #include <cstdio>
 #include <exception>
@@ -61,6 +62,7 @@ class Certificate {
 // Returns the exit code.
 template <class... Measurements>
 int certify(const Measurements&... measurements) {
+    app::prepare_process();
     Certificate certificate;
     int code = 0;
     const auto attempt = [&](const auto& measure) {

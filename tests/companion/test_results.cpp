@@ -289,9 +289,7 @@ TEST_CASE("what never ends is stopped, and its hints are kept", "[test_results]"
         CHECK(tests[0].computed == (is_loop ? 3 : 0));
         CHECK(tests[0].passed == (names[i] == "no end for long"));
         if (is_loop) {
-            // The limit counts whole ticks of the system's clock, even if a program on a busy
-            // machine had only a part of some: 2.72 s have been seen.
-            CHECK(result.cpu_seconds > 2.5);
+            CHECK(result.cpu_seconds > 2.9);
             CHECK(result.cpu_seconds < 5);
         }
         if (i % 2) continue;

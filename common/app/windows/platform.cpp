@@ -45,6 +45,12 @@ LONG CALLBACK end_at_crash(EXCEPTION_POINTERS* what) {
     return EXCEPTION_CONTINUE_SEARCH;
 }
 
+// A viewer, a backup, a virus scanner or OneDrive may hold a file for a moment.
+constexpr int tries = 100;
+void wait_a_moment() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 bool is_console(HANDLE handle) {
     DWORD mode = 0;
     return ::GetConsoleMode(handle, &mode) != 0;
@@ -70,7 +76,7 @@ void prepare_process() {
     ::SetErrorMode(SEM_FAILCRITICALERRORS | SEM_NOGPFAULTERRORBOX | SEM_NOOPENFILEERRORBOX);
     ::AddVectoredExceptionHandler(1, end_at_crash);
     std::signal(SIGABRT, end_aborted);
-    for (std::FILE* const file : {stdin, stdout, stderr}) ::_setmode(::_fileno(file), _O_BINARY);
+    for (std::FILE* const file : {stdout, stderr}) ::_setmode(::_fileno(file), _O_BINARY);
     const HANDLE out = ::GetStdHandle(STD_OUTPUT_HANDLE);
     DWORD mode = 0;
     if (!::GetConsoleMode(out, &mode)) return;
@@ -91,12 +97,10 @@ SignalHandler handler_of(int signal) {
 }
 
 std::FILE* open_for_reading(const fs::path& path) {
-    // A backup, a virus scanner or OneDrive may hold the file for a moment.
-    constexpr int tries = 100;
     for (int i = 0;; ++i) {
         std::FILE* const file = ::_wfopen(path.c_str(), L"rb");
         if (file || errno != EACCES || i == tries || !fs::is_regular_file(path)) return file;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        wait_a_moment();
     }
 }
 
@@ -109,8 +113,6 @@ std::FILE* open_for_writing(const fs::path& path, bool only_new) {
 }
 
 void rename_over(const fs::path& from, const fs::path& to) {
-    // A viewer, a virus scanner or OneDrive may hold the file for a moment.
-    constexpr int tries = 100;
     for (int i = 0;; ++i) {
         if (::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING)) return;
         const DWORD error = ::GetLastError();
@@ -120,7 +122,7 @@ void rename_over(const fs::path& from, const fs::path& to) {
             throw fs::filesystem_error(
                 "cannot rename", from, to,
                 std::error_code{static_cast<int>(error), std::system_category()});
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        wait_a_moment();
     }
 }
 
