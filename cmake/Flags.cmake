@@ -45,10 +45,10 @@ endif()
 if(RT_SANITIZE)
   set(sanitize -fsanitize=${RT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   # Not in code that only tests, such as a checkpoint's test cases: it takes four times as long to compile. The
-  # thread sanitizer must see both sides of a race.
+  # thread sanitizer must see both sides of a race, in which no tool takes part.
   set(unsanitized $<TARGET_PROPERTY:COURSE_UNSANITIZED>)
   if(RT_SANITIZE MATCHES "thread")
-    set(unsanitized 0)
+    set(unsanitized $<TARGET_PROPERTY:COURSE_TOOL>)
   endif()
   target_compile_options(course_flags INTERFACE "$<$<NOT:$<BOOL:${unsanitized}>>:${sanitize}>")
   target_compile_definitions(course_flags INTERFACE RT_SANITIZED)

@@ -13,6 +13,15 @@ function(course_long_tests)
   endif()
 endfunction()
 
+# course_float_programs(targets...): programs in float, which a build with sanitizers does without, too: it sanitizes
+# what checkpoints test, in both precisions.
+function(course_float_programs)
+  course_long_tests(${ARGN})
+  if(RT_SANITIZE)
+    set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  endif()
+endfunction()
+
 # course_compile_options(source options...): for one file, which then cannot use headers precompiled without them.
 function(course_compile_options source)
   set_source_files_properties(${source} PROPERTIES COMPILE_OPTIONS "${ARGN}" SKIP_PRECOMPILE_HEADERS ON)
@@ -66,12 +75,19 @@ function(course_sources out chapter)
 endfunction()
 
 # course_chapter_program(target real chapter folders...): the chapter's program, with the code of these folders.
-# What course_libraries_NN_topic names is linked, too.
+# What course_libraries_NN_topic names is linked, too. TARGET_study is the same with --study, which is in the sources
+# named study*.cpp: they would take a third of the time that passes until a learner sees a picture.
 function(course_chapter_program target real chapter)
   file(GLOB program CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  set(study ${program})
+  list(FILTER program EXCLUDE REGEX "/study[^/]*$")
+  list(FILTER study INCLUDE REGEX "/study[^/]*$")
   course_sources(sources ${chapter} ${ARGN})
   course_program(${target} ${real} ${program} ${sources} INCLUDE ${ARGN})
-  target_link_libraries(${target} PRIVATE ${course_libraries_${chapter}})
+  course_program(${target}_study ${real} $<TARGET_OBJECTS:${target}> ${study} INCLUDE ${ARGN})
+  foreach(program ${target} ${target}_study)
+    target_link_libraries(${program} PRIVATE ${course_libraries_${chapter}})
+  endforeach()
 endfunction()
 
 # course_small_picture_test(name chapter real program): the solution still draws the same bytes. An emulator
@@ -92,20 +108,22 @@ function(course_program_tests chapter)
   if(NOT COURSE_ALL_TESTS)
     return()
   endif()
-  course_small_picture_test(${chapter}.small_picture_in_float ${chapter} float ${chapter}_solution_float)
+  if(NOT RT_SANITIZE)
+    course_small_picture_test(${chapter}.small_picture_in_float ${chapter} float ${chapter}_solution_float)
+    add_test(NAME ${chapter}.float_program
+      COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
+              --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
+    set_tests_properties(${chapter}.float_program PROPERTIES LABELS solution TIMEOUT 600)
+  endif()
   # It is the picture that the text shows.
   add_test(NAME ${chapter}.image
     COMMAND sh ${tests}/app/same_image.sh $<TARGET_FILE:${chapter}_solution>
             $<TARGET_FILE:image_compare> ${CMAKE_SOURCE_DIR}/docs/images/${chapter}.png)
-  add_test(NAME ${chapter}.float_program
-    COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
-            --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
   # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for
   # more runs. A still picture takes one.
   add_test(NAME ${chapter}.compare
     COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
-  set_tests_properties(${chapter}.image ${chapter}.float_program ${chapter}.compare
-                       PROPERTIES LABELS solution TIMEOUT 600)
+  set_tests_properties(${chapter}.image ${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
 endfunction()
 
 # course_certificate(chapter): what `course certify` measures of a chapter, on the solution, and on the learner's
@@ -141,7 +159,7 @@ function(course_given_tests chapter)
     return()
   endif()
   file(GLOB parts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
-  list(FILTER parts EXCLUDE REGEX "/(main|study|narrowest_renderer|show_scene|open_scene)\\.cpp$")
+  list(FILTER parts EXCLUDE REGEX "/(study[^/]*|(main|narrowest_renderer|show_scene|open_scene)[.]cpp)$")
   foreach(real double float)
     set(target ${chapter}_given_${real})
     course_checkpoint(${target} ${real} ${given} ${parts} INCLUDE ${course_folders_${chapter}})
@@ -191,9 +209,11 @@ function(course_chapter chapter)
   course_chapter_program(${chapter}_solution_float float ${chapter} ${folders})
   course_chapter_program(${chapter}_mine double ${chapter} ${COURSE_YOURS} ${folders})
   course_chapter_program(${chapter}_mine_float float ${chapter} ${COURSE_YOURS} ${folders})
-  course_of_learner(${chapter}_mine ${chapter}_mine_float)
-  set_target_properties(${chapter}_mine ${chapter}_mine_float PROPERTIES EXCLUDE_FROM_ALL ON)
-  course_long_tests(${chapter}_solution_float)
+  set(mine ${chapter}_mine ${chapter}_mine_float ${chapter}_mine_study ${chapter}_mine_float_study)
+  course_of_learner(${mine})
+  set_target_properties(${mine} ${chapter}_solution_study ${chapter}_solution_float_study
+                        PROPERTIES EXCLUDE_FROM_ALL ON)
+  course_float_programs(${chapter}_solution_float)
   course_program_tests(${chapter})
 
   foreach(id ${course_ids_${chapter}})

@@ -10,9 +10,10 @@ or an edit here has no simpler form than the solution.
 With the plain headers of all chapters so far, a chapter's program draws a small picture, no line of
 its certificate fails but those of stars, and our answer to its graft passes. `course compare` calls
 its picture right: it is the solution's, or it becomes the solution's picture with the solution's code
-for the exercises whose stars are open. So does it with each plain answer of a core chapter alone.
+for the exercises whose stars are open. In that case it becomes so with each plain answer of a core chapter
+alone, too.
 
-core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k, tracer.NN, NN_topic_solution,
+core_path.py BUILD [NN_topic...]     Needs the programs check.NN.k, plain.NN.k, tracer.NN, NN_topic_solution,
                                      mistake_tool, graft_mistakes and compare_programs of the build.
 """
 
@@ -110,25 +111,27 @@ def plain_headers_of(build, overlay, exercise):
         at = words.index("-o")
         del words[at:at + 2]
         first = next(i for i, word in enumerate(words) if word.startswith("-I"))
-        said = subprocess.run([*words[:first], f"-I{overlay}", *words[first:], "-MM"], cwd=command["directory"],
-                              check=True, capture_output=True, text=True).stdout
+        # Those of the standard library are not looked for, which would take most of the time.
+        said = subprocess.run([*words[:first], f"-I{overlay}", *words[first:], "-MM", "-MG", "-nostdinc", "-nostdinc++"],
+                              cwd=command["directory"], check=True, capture_output=True, text=True).stdout
         included.update(shlex.split(said.replace("\\\n", " ")))
     return frozenset(str(file.relative_to(overlay)) for file in overlay.rglob("*.hpp") if str(file) in included)
 
 
-def check(build, folder, overlay, exercise, precision):
-    """Runs the core of an exercise's test cases; returns what failed, or nothing, and whether stars are open, which
-    counts in double alone."""
+def check(build, folder, overlay, exercise, precision, is_built):
+    """Runs the core of an exercise's test cases; returns what failed, or nothing, and whether stars are open, which is
+    asked of the plain answers in double alone. These may be the build's."""
     target = "answer." + exercise + (".float" if precision == "float" else "")
-    place = folder / target
-    place.mkdir(parents=True)
+    place = build / "answers/plain/double" if is_built else folder / target
     library = place / f"libanswer.{exercise}.so"
-    made = place / f"{folder.name} {target}"  # mistake_tool works in a folder of this name
-    built = subprocess.run([build / "bin/mistake_tool", "program", overlay, target, made],
-                           capture_output=True, text=True)
-    if built.returncode:
-        return built.stdout + built.stderr, False
-    made.rename(library)
+    if not is_built:
+        place.mkdir(parents=True)
+        made = place / f"{folder.name} {target}"  # mistake_tool works in a folder of this name
+        built = subprocess.run([build / "bin/mistake_tool", "program", overlay, target, made],
+                               capture_output=True, text=True)
+        if built.returncode:
+            return built.stdout + built.stderr, False
+        made.rename(library)
     program = build / "check" / target.replace("answer.", "check.")
 
     def run(which):
@@ -136,8 +139,9 @@ def check(build, folder, overlay, exercise, precision):
                               env=dict(os.environ, LD_LIBRARY_PATH=str(place), COURSE_ANSWER=str(place)))
 
     core = run("~[hard]")
-    is_open = precision == "double" and run("[hard]").returncode != 0
-    shutil.rmtree(place)
+    is_open = precision == "double" and overlay.name.endswith("_plain") and run("[hard]").returncode != 0
+    if not is_built:
+        shutil.rmtree(place)
     if core.returncode or "No tests ran" in core.stdout:
         return core.stdout[-3000:] + core.stderr[-2000:], False
     return "", is_open
@@ -151,35 +155,37 @@ def differs(build, program, target):
 
 
 def run_program(build, folder, overlay, target, may_differ=()):
-    """Compiles a program of the build with plain headers and runs it; returns what failed, or nothing. Its picture
-    may be another where these of the headers are."""
+    """Compiles a program of the build with plain headers and runs it; returns what failed, or nothing, and whether its
+    picture is not the solution's. It may be another where these of the headers are."""
+    is_other = False
     folder.mkdir(parents=True)
     if target.startswith("tracer."):
         graft = subprocess.run([build / "bin/graft_mistakes", target[len("tracer."):], overlay],
                                capture_output=True, text=True)
-        return graft.stdout + graft.stderr if graft.returncode else ""
+        return graft.stdout + graft.stderr if graft.returncode else "", False
     program = folder / f"{overlay.name} {target}"  # mistake_tool works in a folder of this name
     built = subprocess.run([build / "bin/mistake_tool", "program", overlay, target, program],
                            capture_output=True, text=True)
     if built.returncode:
-        return built.stdout + built.stderr
+        return built.stdout + built.stderr, False
     if target.endswith("_solution") and not target.startswith("certify."):
         wrong = differs(build, program, target)
+        is_other = bool(wrong)
         if wrong and any((overlay / name).exists() for name in may_differ):
             rest = folder / f"{overlay.name}_without_open_stars"
             shutil.copytree(overlay, rest)
             for name in may_differ:
                 (rest / name).unlink(missing_ok=True)
             is_solution = not any(path.is_file() for path in rest.rglob("*"))
-            wrong = "" if is_solution else run_program(build, folder / "rest", rest, target)
+            wrong = "" if is_solution else run_program(build, folder / "rest", rest, target)[0]
         if wrong:
-            return wrong
+            return wrong, is_other
     words = ["--no-timing"] if target.startswith("certify.") else SMALL + ["--out", folder / "picture.ppm"]
     run = subprocess.run([program, *words], capture_output=True, text=True, timeout=300, cwd=folder)
     said = run.stdout + run.stderr
     if target.startswith("certify."):  # the line of a star, such as 01.4*, may fail
-        return said if "holds\t" not in said or re.search(r"FAILS\t[\d.]+\t", said) else ""
-    return said[-2000:] if run.returncode else ""
+        return said if "holds\t" not in said or re.search(r"FAILS\t[\d.]+\t", said) else "", False
+    return said[-2000:] if run.returncode else "", is_other
 
 
 def main():
@@ -197,27 +203,35 @@ def main():
                      if (ROOT / "tests" / chapter["name"] / e["id"] / "answer.cpp").exists()]
         if not files:
             continue
-        begun = set()  # exercises, with the plain headers that their answers include
+        ids = [e["id"] for e in exercises]
+        plain_headers = {}  # those that an exercise's answer includes
+        begun = set()  # exercises, with those of them that are plain
         rng = random.Random(chapter["name"])
         half = len(exercises) // 2
         for way, solved in ("plain", []), ("stars", rng.sample(exercises, half)), (
                 "other_stars", rng.sample(exercises, half)):
             overlay = below / f"{chapter['name']}_{way}"
             overlay.mkdir(parents=True)
-            for name, text in files.items():
-                if any(name in e["files"] for e in solved):
-                    continue
+            chosen = {name: text for name, text in files.items() if not any(name in e["files"] for e in solved)}
+            for name, text in chosen.items():
                 (overlay / name).parent.mkdir(parents=True, exist_ok=True)
                 (overlay / name).write_text(text)
+            if way == "plain":
+                with concurrent.futures.ThreadPoolExecutor(2) as pool:
+                    plain_headers = dict(zip(ids, pool.map(functools.partial(plain_headers_of, build, overlay), ids)))
             for exercise in [e["id"] for e in exercises if e not in solved]:
-                headers = exercise, plain_headers_of(build, overlay, exercise)
+                headers = exercise, plain_headers[exercise].intersection(chosen)
                 if headers in begun:
                     continue
                 begun.add(headers)
-                for precision in ("double", "float") if way == "plain" and chapter["uses_real"] else ("double",):
-                    jobs.append((below / f"{way}_{chapter['name']}", overlay, exercise, precision))
+                is_built = (way == "plain" and (build / f"answers/plain/double/libanswer.{exercise}.so").exists() and
+                            not any(f"{chapter['name']}/{name}" in EDITS for name in headers[1]))
+                folder = below / f"{way}_{chapter['name']}"
+                jobs.append((folder, overlay, exercise, "double", is_built))
+                if way == "plain" and chapter["uses_real"]:
+                    jobs.append((folder, overlay, exercise, "float", False))
     failed = 0
-    programs = []
+    programs, alone_programs = [], []
     together = below / "together"  # the plain answers of all chapters so far
     together.mkdir(parents=True)
     for chapter in [c for c in chapters if (PLAIN / c["name"]).exists()]:
@@ -233,7 +247,7 @@ def main():
             shutil.copy(together / name, alone / name)
             target = f"{chapter['name']}_solution"
             if chapter["core"] and chapter["name"] not in LONG and (build / "link" / f"{target}.txt").exists():
-                programs.append((below / "pictures" / alone.name, alone, target))
+                alone_programs.append((below / "pictures" / alone.name, alone, target))
         for target in f"{chapter['name']}_solution", f"certify.{chapter['name']}_solution", f"tracer.{number}":
             if (build / "link" / f"{target}.txt").exists() and target not in SLOW:
                 programs.append((below / target, overlay, target))
@@ -244,12 +258,24 @@ def main():
             if wrong:
                 failed += 1
                 print(f"FAILS: {job[2]} in {job[3]}, {job[0].name}:\n{wrong}")
-        for job, wrong in zip(programs, pool.map(lambda job: run_program(build, *job, may_differ), programs)):
-            if wrong:
-                failed += 1
-                print(f"FAILS: {job[2]} with the plain answers {job[1].name}:\n{wrong}")
+
+        def try_programs(jobs):
+            """Returns the targets whose pictures are not the solution's."""
+            nonlocal failed
+            others = set()
+            for job, (wrong, is_other) in zip(jobs, pool.map(lambda job: run_program(build, *job, may_differ), jobs)):
+                if wrong:
+                    failed += 1
+                    print(f"FAILS: {job[2]} with the plain answers {job[1].name}:\n{wrong}")
+                if is_other:
+                    others.add(job[2])
+            return others
+
+        others = try_programs(programs)
+        alone_programs = [job for job in alone_programs if job[2] in others]
+        try_programs(alone_programs)
     shutil.rmtree(below, ignore_errors=True)
-    print(f"core_path: {len(jobs)} cores, {len(programs)} programs, {failed} fail")
+    print(f"core_path: {len(jobs)} cores, {len(programs + alone_programs)} programs, {failed} fail")
     return 1 if failed or not jobs else 0
 
 

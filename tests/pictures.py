@@ -4,7 +4,7 @@
     tests/pictures.py BUILD [NAME...]   makes docs/images/NAME.png, or all of them
     tests/pictures.py --check           says which committed picture has no command, and which is wider than it is shown
 
-The first needs the programs of a build with COURSE_ALL_TESTS=ON: study_programs, 09_own_solution, brick_wall and
+The first needs these targets of a build with COURSE_ALL_TESTS=ON: solution_programs, float_programs, brick_wall and
 mistake_tool. Most pictures take less than a minute; those of chapters 08 and 11 compile for longer.
 
 Each picture is a line of RECIPES below: a program and its options, sometimes of a program with a known mistake, and

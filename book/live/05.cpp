@@ -1,5 +1,4 @@
 // The live figures of chapter 05.
-#include <array>
 #include <rt/make_camera.hpp>
 #include <rt/render_pixel.hpp>
 

@@ -10,7 +10,6 @@
 #include "chain_panel.hpp"
 #include "facts.hpp"
 #include "memory_panel.hpp"
-#include "study.hpp"
 #include "time_panels.hpp"
 
 namespace {
@@ -97,7 +96,7 @@ int main(int argc, char** argv) {
          .about = "A gradient, and on it where a program's things live in memory.",
          .defaults = {.width = 960, .height = 540, .seed = {}},
          .render = render,
-         .study = run_study,
+         .study = app::program_study,
          .choices = {{"numbers",
                       "The times and addresses in the picture: a model's (the same on every "
                       "machine), or this machine's",

@@ -15,7 +15,7 @@ struct Sums {
     Sum naive, pairwise, compensated;
 };
 
-Sums strict_sums();     // strict_sums.cpp
-Sums fast_math_sums();  // sums_fast_math.cpp
+Sums strict_sums();     // study_strict_sums.cpp
+Sums fast_math_sums();  // study_fast_math_sums.cpp
 
 }  // namespace toolchain

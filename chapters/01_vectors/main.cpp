@@ -5,7 +5,6 @@
 #include <rt/canvas.hpp>
 
 #include "balls.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -47,5 +46,5 @@ int main(int argc, char** argv) {
          .about = "the sign of the dot product on a ball, and a frame that a matrix turns",
          .defaults = {},
          .render = render,
-         .study = vectors_study::run});
+         .study = app::program_study});
 }

@@ -12,7 +12,6 @@
 
 #include "dome.hpp"
 #include "panels.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -88,6 +87,6 @@ int main(int argc, char** argv) {
              "one dome of sky through eight cameras: field of view, look-at point and up vector",
          .defaults = {},
          .render = render,
-         .study = camera_study::run,
+         .study = app::program_study,
          .shows = rt::shown_of_rays()});
 }

@@ -14,7 +14,6 @@
 #include "far_spheres.hpp"
 #include "scene.hpp"
 #include "show_scene.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -77,7 +76,7 @@ int main(int argc, char** argv) {
                                        .at = {Real(0.02), 0, 0},
                                        .vertical_fov = rt::radians(33)}},
          .render = render,
-         .study = spheres::run_study,
+         .study = app::program_study,
          .encode_ppm = encode_ppm,
          .shows = rt::shown_of_hits()});
 }

@@ -13,7 +13,6 @@
 #include <string>
 
 #include "scene.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -146,7 +145,7 @@ int main(int argc, char** argv) {
                      .about = "normals as colors, one light, one sample against many, and paths",
                      .defaults = defaults,
                      .render = render,
-                     .study = normals_aa::study_samples_and_depth,
+                     .study = app::program_study,
                      .choices = {{"ending",
                                   "What happens to a path at the depth limit",
                                   {"sky", "black", "roulette"}}},

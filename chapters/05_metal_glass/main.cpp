@@ -10,7 +10,6 @@
 
 #include "glass_strip.hpp"
 #include "scene.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -84,6 +83,6 @@ int main(int argc, char** argv) {
                   "what glass reflects",
          .defaults = defaults,
          .render = render,
-         .study = metal_glass_study::run,
+         .study = app::program_study,
          .shows = rt::shown_of_paths()});
 }

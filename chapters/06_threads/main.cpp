@@ -14,7 +14,6 @@
 #include "scene.hpp"
 #include "schedule.hpp"
 #include "speed_up.hpp"
-#include "study.hpp"
 #include "work_figure.hpp"
 
 namespace {
@@ -116,7 +115,7 @@ int main(int argc, char** argv) {
          .about = "a scene rendered by all cores, which worker rendered what, and the speed-up",
          .defaults = defaults,
          .render = render,
-         .study = threads::run_study,
+         .study = app::program_study,
          .choices = {{"clock",
                       "What the maps, bars and curves count: rays (the same on every machine), or "
                       "seconds of this machine",

@@ -1,11 +1,14 @@
-#include "study.hpp"
+// What it costs to use several threads: workers that wait, tiles that are too small or too large,
+// memory that two workers write to in turn, a counter that all share.
 
+#include <app/run.hpp>
 #include <atomic>
 #include <cstddef>
 #include <deque>
 #include <mutex>
 #include <string_view>
 #include <study/pixel_error.hpp>
+#include <study/report.hpp>
 
 #include "schedule.hpp"
 #include "speed_up.hpp"
@@ -270,8 +273,6 @@ void study_counter(study::Report& report) {
              .cost_name = "time per number / ns"});
 }
 
-}  // namespace
-
 void run_study(study::Report& report) {
     const Scene scene = make_scene();
     study_strategies(report, scene);
@@ -282,4 +283,7 @@ void run_study(study::Report& report) {
     study_counter(report);
 }
 
+}  // namespace
 }  // namespace threads
+
+void (*const app::program_study)(study::Report&) = threads::run_study;

@@ -10,7 +10,6 @@
 #include <rt/split_by_area.hpp>
 
 #include "scene.hpp"
-#include "study.hpp"
 #include "tree_figure.hpp"
 
 namespace {
@@ -85,6 +84,6 @@ int main(int argc, char** argv) {
                      .about = "10,000 spheres, the boxes of their tree, and the work of each pixel",
                      .defaults = defaults,
                      .render = render,
-                     .study = bvh::run_study,
+                     .study = app::program_study,
                      .shows = rt::shown_of_paths()});
 }

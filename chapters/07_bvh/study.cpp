@@ -1,5 +1,7 @@
-#include "study.hpp"
+// What a ray costs in each structure, how this cost grows with the number of spheres, how long a
+// good tree takes to build, and how the time of a whole picture compares with the classic way.
 
+#include <app/run.hpp>
 #include <deque>
 #include <rt/counting_world.hpp>
 #include <rt/far_view.hpp>
@@ -8,6 +10,7 @@
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/pixel_error.hpp>
+#include <study/report.hpp>
 #include <study/timing.hpp>
 
 #include "cover_study.hpp"
@@ -229,8 +232,6 @@ void study_pixels(study::Report& report, const Scene& scene) {
     add("no margin, 1000 times as far away", 1000, bare);
 }
 
-}  // namespace
-
 void run_study(study::Report& report) {
     const Scene scene = make_scene(10'000, 1);
     study_searches(report, scene);
@@ -241,4 +242,7 @@ void run_study(study::Report& report) {
     study_pixels(report, scene);
 }
 
+}  // namespace
 }  // namespace bvh
+
+void (*const app::program_study)(study::Report&) = bvh::run_study;

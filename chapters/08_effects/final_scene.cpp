@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <rt/facing.hpp>
 #include <rt/portable.hpp>
 #include <rt/rng.hpp>

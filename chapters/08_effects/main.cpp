@@ -14,7 +14,6 @@
 
 #include "open_scene.hpp"
 #include "show_scene.hpp"
-#include "study.hpp"
 #include "tile_renderer.hpp"
 #include "words.hpp"
 
@@ -109,7 +108,7 @@ int main(int argc, char** argv) {
          .about = "a scene, drawn by a renderer that has its effects and no others",
          .defaults = defaults,
          .render = render,
-         .study = effects::run_study,
+         .study = app::program_study,
          .choices =
              {{"sampler",
                "Where the samples lie, and which random numbers they use; refining takes sobol "

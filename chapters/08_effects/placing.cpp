@@ -1,7 +1,6 @@
 #include "placing.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <rt/portable.hpp>

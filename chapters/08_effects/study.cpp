@@ -1,5 +1,6 @@
-#include "study.hpp"
+// How well each way finds light, how many digits the formulas lose, and what each effect costs.
 
+#include <app/run.hpp>
 #include <array>
 #include <rt/canvas.hpp>
 #include <rt/cover_scene.hpp>
@@ -11,6 +12,7 @@
 #include <study/classic.hpp>
 #include <study/double_double.hpp>
 #include <study/pixel_error.hpp>
+#include <study/report.hpp>
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
 
@@ -257,8 +259,6 @@ void study_cover(study::Report& report) {
                     ns[0] / ns[i], "times as fast", cover.whole_ms(ns[i]), "time / ms"});
 }
 
-}  // namespace
-
 void run_study(study::Report& report) {
     study_light(report);
     study_solid_angle(report);
@@ -267,4 +267,7 @@ void run_study(study::Report& report) {
     study_pixels(report);
 }
 
+}  // namespace
 }  // namespace effects
+
+void (*const app::program_study)(study::Report&) = effects::run_study;

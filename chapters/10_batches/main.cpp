@@ -8,7 +8,6 @@
 #include <thread>
 
 #include "scene.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -47,7 +46,7 @@ int main(int argc, char** argv) {
                      .about = "a hundred thousand spheres, drawn in batches of paths",
                      .defaults = defaults,
                      .render = render,
-                     .study = batches::run_study,
+                     .study = app::program_study,
                      .shows = shown_of_paths(),
                      .can_be_stopped = true});
 }

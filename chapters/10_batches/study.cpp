@@ -1,6 +1,9 @@
-#include "study.hpp"
+// Measures the time of a ray alone, in packets and in batches of several sizes, and how much of it
+// each part of the work takes.
 
+#include <app/run.hpp>
 #include <rt/sort_by_kind.hpp>
+#include <study/report.hpp>
 #include <study/timing.hpp>
 
 #include "lanes_body.hpp"
@@ -272,12 +275,6 @@ void study_lanes(study::Report& report) {
                     ns[i] / static_cast<double>(rays), "time per ray / ns"});
 }
 
-}  // namespace
-
-Width registers_of_this_program() {
-    return make_width();
-}
-
 void run_study(study::Report& report) {
     const StudyScene scene{100'000};
     const Recorded recorded = record(scene.ready);
@@ -288,4 +285,12 @@ void run_study(study::Report& report) {
     study_lanes(report);
 }
 
+}  // namespace
+
+Width registers_of_this_program() {
+    return make_width();
+}
+
 }  // namespace batches
+
+void (*const app::program_study)(study::Report&) = batches::run_study;

@@ -16,7 +16,6 @@
 #include "denoise_halves.hpp"
 #include "features.hpp"
 #include "scene.hpp"
-#include "study.hpp"
 #include "ways.hpp"
 
 namespace {
@@ -219,6 +218,6 @@ int main(int argc, char** argv) {
                               "many where they are worth it, and without noise",
                      .defaults = defaults,
                      .render = render,
-                     .study = samples::run_study,
+                     .study = app::program_study,
                      .shows = shown_of_paths()});
 }

@@ -1,7 +1,9 @@
-#include "study.hpp"
+// Measures the cost and the worth of each way to take samples, and of each rule for stopping.
 
+#include <app/run.hpp>
 #include <rt/standard_error.hpp>
 #include <study/pixel_error.hpp>
+#include <study/report.hpp>
 #include <study/timing.hpp>
 
 #include "features.hpp"
@@ -241,8 +243,6 @@ void study_denoiser(study::Report& report, const std::string& name, const Tile& 
     }
 }
 
-}  // namespace
-
 void run_study(study::Report& report) {
     study_samples(report);
     study_stopping(report);
@@ -250,4 +250,7 @@ void run_study(study::Report& report) {
     study_denoiser(report, "metal and glass", {540, 390, 604, 438});
 }
 
+}  // namespace
 }  // namespace samples
+
+void (*const app::program_study)(study::Report&) = samples::run_study;

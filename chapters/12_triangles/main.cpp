@@ -15,7 +15,6 @@
 #include <utility>
 
 #include "scene.hpp"
-#include "study.hpp"
 
 namespace {
 
@@ -58,7 +57,7 @@ int main(int argc, char** argv) {
                      .about = "a teapot on a stormy sea of a million triangles",
                      .defaults = defaults,
                      .render = render,
-                     .study = triangles::run_study,
+                     .study = app::program_study,
                      .shows = shown_of_paths(),
                      .can_be_stopped = true});
 }

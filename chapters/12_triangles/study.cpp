@@ -1,5 +1,7 @@
-#include "study.hpp"
+// Measures three tests for a ray and a triangle: what each costs, how many rays slip through a
+// closed mesh, and how far off t is.
 
+#include <app/run.hpp>
 #include <rt/color.hpp>
 #include <rt/length.hpp>
 #include <rt/rng.hpp>
@@ -7,6 +9,7 @@
 #include <rt/vec3_of.hpp>
 #include <study/double_double.hpp>
 #include <study/pixel_error.hpp>
+#include <study/report.hpp>
 #include <study/ulp.hpp>
 
 #include "triangle_ways.hpp"
@@ -139,8 +142,6 @@ void study_pixels(study::Report& report) {
     }
 }
 
-}  // namespace
-
 void run_study(study::Report& report) {
     study_leaks(report);
     study_needles(report);
@@ -148,4 +149,7 @@ void run_study(study::Report& report) {
     study_cost(report);
 }
 
+}  // namespace
 }  // namespace triangles
+
+void (*const app::program_study)(study::Report&) = triangles::run_study;

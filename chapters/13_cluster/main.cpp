@@ -18,7 +18,6 @@
 #include "group.hpp"
 #include "open_scene.hpp"
 #include "share.hpp"
-#include "study.hpp"
 #include "tint.hpp"
 
 namespace {
@@ -184,7 +183,7 @@ app::Program program() {
             .about = "chapter 08's picture, drawn by all ranks that mpirun starts",
             .defaults = defaults,
             .render = render,
-            .study = cluster::run_study,
+            .study = app::program_study,
             .choices = {{"share",
                          "What the ranks share out: tiles, or a slice of the rows for each",
                          {"tiles", "slices"}}},

@@ -1,5 +1,7 @@
-#include "study.hpp"
+// Compares ways to share out the samples of a pixel: which of them keep the picture's bytes, and
+// what they cost. Then simulates up to 10,000 machines that share out tiles.
 
+#include <app/run.hpp>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -7,6 +9,7 @@
 #include <rt/slice_rows.hpp>
 #include <string>
 #include <study/double_double.hpp>
+#include <study/report.hpp>
 #include <thread>
 #include <vector>
 
@@ -231,12 +234,13 @@ void study_machines(study::Report& report) {
     }
 }
 
-}  // namespace
-
 void run_study(study::Report& report) {
     study_split(report);
     study_machines(report);
     report.time_in_turns();
 }
 
+}  // namespace
 }  // namespace cluster
+
+void (*const app::program_study)(study::Report&) = cluster::run_study;

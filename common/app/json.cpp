@@ -253,6 +253,14 @@ std::string path_of_item(const std::string& parent, std::size_t index) {
     return parent + '[' + std::to_string(index) + ']';
 }
 
+std::string to_json(const std::map<std::string, std::string>& texts) {
+    return json(texts).dump();
+}
+
+std::map<std::string, std::string> texts_in(const std::string& text, const std::string& file) {
+    return parse_json(text, file).get<std::map<std::string, std::string>>();
+}
+
 std::string quoted(const std::string& text) {
     constexpr std::size_t most = 40;
     if (text.size() <= most) return '"' + text + '"';

@@ -7,6 +7,7 @@
 // nesting.
 
 #include <cstddef>
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -20,6 +21,11 @@ inline constexpr int max_json_depth = 16;
 // column. Also throws UsageError if values are nested deeper than max_json_depth or an object has a
 // key twice; that message begins with `file` and the position.
 nlohmann::json parse_json(const std::string& text, const std::string& file);
+
+// An object whose values are texts, for those who otherwise need nothing of the library, which
+// takes seconds to compile. texts_in throws as parse_json does, and if a value is no text.
+std::string to_json(const std::map<std::string, std::string>& texts);
+std::map<std::string, std::string> texts_in(const std::string& text, const std::string& file);
 
 // Where a value stands in a file, as people write it: spheres[3].material, materials["a b"].
 std::string path_of_member(const std::string& parent, const std::string& key);

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <app/files.hpp>
+#include <app/json.hpp>
 #include <app/limits.hpp>
 #include <app/nearest_word.hpp>
 #include <app/platform.hpp>
@@ -14,7 +15,6 @@
 #include <cstring>
 #include <fstream>
 #include <locale>
-#include <nlohmann/json.hpp>
 #include <rt/image_file.hpp>
 #include <sstream>
 #include <study/report.hpp>
@@ -453,10 +453,10 @@ std::string describe(const Program& program) {
     Request request = default_request(program);
     CLI::App options;
     add_options(options, request, program);
-    nlohmann::json defaults;
+    std::map<std::string, std::string> defaults;
     for (const CLI::Option* const option : options.get_options())
         defaults[option->get_single_name()] = option->get_default_str();
-    return defaults.dump();
+    return to_json(defaults);
 }
 
 void write_study(const study::Report& report, const std::filesystem::path& folder) {

@@ -125,6 +125,10 @@ struct Program {
     bool has_terminal = false;
 };
 
+// The Program::study of a chapter's program: its study.cpp defines it. A program without a
+// study.cpp gets that of no_study.cpp, nullptr.
+extern void (*const program_study)(study::Report&);
+
 // Does all that main() has to do, and returns the exit code. Every error is one line on stderr.
 int run(int argc, const char* const* argv, const Program& program);
 

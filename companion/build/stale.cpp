@@ -2,6 +2,7 @@
 #include <app/files.hpp>
 #include <companion/build/stale.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/platform.hpp>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,12 +11,10 @@ namespace companion {
 namespace {
 
 using nlohmann::json;
-using Time = long long;  // as the file system stores it
+using Time = std::int64_t;  // as the file system stores it
 
 Time written(const fs::path& file) {
-    std::error_code gone;
-    const auto time = fs::last_write_time(file, gone);
-    return gone ? std::numeric_limits<Time>::min() : time.time_since_epoch().count();
+    return last_written(file).value_or(std::numeric_limits<Time>::min());
 }
 
 struct Source {
@@ -92,17 +91,10 @@ bool is_hidden(const Known& known, const std::string& group,
     });
 }
 
-bool ends_with(const std::string& text, const std::string& end) {
-    return text.size() >= end.size() &&
-           text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
 // Whether a target of the build compiles files of this group.
 bool compiles(const std::string& target, const std::string& group) {
-    if (group == "yours")
-        for (const std::string end : {"_mine", "_mine_float"})
-            if (ends_with(target, end) || ends_with(target, end + "_electives")) return true;
-    if (group == "yours" || ends_with(target, "_solution")) return false;
+    if (group == "yours") return target.find("_mine") != target.npos;
+    if (target.ends_with("_solution")) return false;
     const std::string number = group.substr(0, 2), certify = "certify.";
     // The certificate's programs, and what the electives add to chapter 08, also compile code of
     // other chapters.

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
@@ -30,11 +29,9 @@ std::string version_of(const Course& course, const Exercise& exercise) {
     for (const char* const kind : {"solutions", "tests/plain"})
         for (const fs::path& file : source_files(course.root / kind / exercise.chapter.name))
             bytes += read_file(file);
-    std::error_code missing;
     const auto checkpoint =
-        fs::last_write_time(course.build / "check" / program_name("check." + exercise.id), missing);
-    const auto ticks = static_cast<long long>(checkpoint.time_since_epoch().count());
-    return hash_of(bytes + std::to_string(ticks));
+        last_written(course.build / "check" / program_name("check." + exercise.id));
+    return hash_of(bytes + std::to_string(checkpoint.value_or(0)));
 }
 
 Cases cases_of(const MistakenAnswer& answer) {
@@ -49,9 +46,10 @@ void keep_common(std::set<std::string>& kept, const std::set<std::string>& other
 }  // namespace
 
 std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
-                                          const fs::path& below) {
+                                          const fs::path& below, const std::string& remark) {
     std::vector<MistakenAnswer> answers;
     for (Mistake& mistake : mistakes_of(course, exercise)) {
+        if (!remark.empty() && !mistake.remarks.count(remark)) continue;
         const fs::path folder = below / mistake.name;
         answers.push_back({std::move(mistake), folder, {}});
     }
@@ -72,17 +70,21 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
 
 WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
     Cases cases = cases_of(answer);
-    cases.timeout = 10;  // half of the course's patience: some never end
+    cases.timeout = course.patience / 2;  // some never end
     // A plain answer leaves the stars open, and a core that fails says nothing of them.
     if (answer.mistake.remarks.count("edits")) cases.part = Cases::Part::core;
-    const auto once = [&] { return run_cases(course, cases).tests; };
-    WhatFails fails{.tests = once()};
-    fails.always = signature_of(fails.tests);
-    const Signature second = signature_of(once());
+    const Tested first = run_cases(course, cases);
+    WhatFails fails{.tests = first.tests, .always = signature_of(first.tests)};
+    if (first.got_no_further()) return fails;  // nor would it a second time
+    // What passes is not in what fails every time; but what comes before a failure may be its
+    // cause.
+    for (auto test = first.tests.rbegin(); test != first.tests.rend() && test->passed; ++test)
+        cases.without.push_back(test->name);
+    const auto again = [&] { return signature_of(run_cases(course, cases).tests); };
+    const Signature second = again();
     if (second == fails.always) return fails;
     fails.by_chance = true;
-    for (const Signature& other : {second, signature_of(once())})
-        keep_common(fails.always.where, other.where);
+    for (const Signature& other : {second, again()}) keep_common(fails.always.where, other.where);
     fails.always.what.clear();  // values that changed once may change again
     return fails;
 }

@@ -17,12 +17,14 @@ struct MistakenAnswer {
     BuildResult build;  // if it is not ok, there is no answer
 };
 
-// The answers of all known mistakes of an exercise, compiled below this folder, several at a time.
+// The answers of an exercise's known mistakes, of all or of those with a remark, compiled below
+// this folder, several at a time.
 std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& exercise,
-                                          const fs::path& below);
+                                          const fs::path& below, const std::string& remark = "");
 
-// What fails when a mistake is made. The test cases run twice, and once more if the second run
-// fails differently, as it may with threads or measured times.
+// What fails when a mistake is made. The test cases up to the last that fails run twice unless they
+// compute without end, and once more if the second run fails differently, as it may with threads or
+// measured times.
 struct WhatFails {
     std::vector<TestCase> tests;  // of the first run
     Signature always = {};        // what fails every time

@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
-#include <chrono>
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/passing_chapters.hpp>

@@ -8,7 +8,6 @@
 #include <companion/model/progress.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
-#include <cstdio>
 
 namespace companion {
 namespace {

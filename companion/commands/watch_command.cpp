@@ -8,6 +8,7 @@
 #include <companion/commands/next_step.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/system/keyboard.hpp>
+#include <companion/system/platform.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
 #include <csignal>
@@ -22,16 +23,13 @@ namespace {
 constexpr int pause_ms = 100;  // between two looks at the files
 
 // When each file was last written; a file is absent while an editor replaces it.
-using Written = std::map<fs::path, fs::file_time_type>;
+using Written = std::map<fs::path, std::int64_t>;
 
 Written written(const Course& course, const std::vector<Exercise>& all) {
     Written times;
     for (const Exercise& exercise : all)
-        for (const fs::path& file : exercise.files) {
-            std::error_code missing;
-            const auto time = fs::last_write_time(course.root / file, missing);
-            if (!missing) times[file] = time;
-        }
+        for (const fs::path& file : exercise.files)
+            if (const auto time = last_written(course.root / file)) times[file] = *time;
     return times;
 }
 

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <companion/compare/permutation.hpp>
-#include <random>
 #include <rt/real.hpp>
 #include <rt/rng.hpp>
 

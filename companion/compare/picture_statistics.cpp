@@ -153,7 +153,6 @@ void test_sums(const Both& both, const Sums& sums, TileStatistics& test) {
         const Sample mine = mine_of(both, channel.squares),
                      solution = solution_of(both, channel.squares);
         test.noise_p[c] = welch_p(mine, solution, channel.rounding * channel.rounding);
-        test.noise_ratio[c] = solution.mean > 0 ? mine.mean / solution.mean : 1;
     }
 }
 

@@ -36,11 +36,9 @@ struct TileStatistics {
     Tile tile;
     std::array<double, 3> mine{}, solution{};  // mean linear light of all its pixels
     std::array<double, 3> p{1, 1, 1};          // Welch's test on the light
-    // Welch's test on the pixels' distances from their means; and their variance divided by that of
-    // the solution's pixels.
-    std::array<double, 3> noise_p{1, 1, 1}, noise_ratio{1, 1, 1};
-    long still_differing = 0;  // still pixels that differ
-    double largest_step = 0;   // of a pixel, between the programs' mean values, 0 to 255
+    std::array<double, 3> noise_p{1, 1, 1};    // on the pixels' distances from their means
+    long still_differing = 0;                  // still pixels that differ
+    double largest_step = 0;  // of a pixel, between the programs' mean values, 0 to 255
     // The mean square difference between the programs' mean pictures, pixel by pixel, minus what
     // the noise explains, divided by the noise of a single picture. About 0 for right programs.
     double pixel_excess = 0;

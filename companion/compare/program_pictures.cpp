@@ -6,8 +6,6 @@
 #include <companion/system/scratch_folder.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdlib>
-#include <map>
-#include <nlohmann/json.hpp>
 
 namespace companion {
 namespace {
@@ -40,8 +38,7 @@ Result run_for(const std::vector<std::string>& command) {
 }  // namespace
 
 DrawingOptions options_from(const std::string& description) {
-    const auto defaults =
-        app::parse_json(description, "--describe").get<std::map<std::string, std::string>>();
+    const auto defaults = app::texts_in(description, "--describe");
     const auto number = [&](const char* name) {
         return defaults.count(name) ? std::atoi(defaults.at(name).c_str()) : 0;
     };

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <companion/compare/student_t.hpp>
 #include <limits>

@@ -87,7 +87,7 @@ void compare_stub(const Course& course, const Exercise& exercise, Lines& wrong) 
         const std::string text = read_text(course.root / stub);
         if (count_todos(text, exercise.id) == 0)
             wrong.push_back(stub.generic_string() + " calls no rt::todo(\"" + exercise.id +
-                            "\"): the body of a stub is this call and nothing else");
+                            "\"): the body of a stub begins with this call");
         if (text.find("Exercise " + exercise.id) == std::string::npos)
             wrong.push_back(stub.generic_string() +
                             " does not say what to write: its comment begins with 'Exercise " +

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/model/course_file.hpp>
 #include <companion/model/source.hpp>

@@ -72,8 +72,14 @@ void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line
                 .picture;
         };
     };
+    const auto ours = [&](std::uint64_t seed) {
+        if (!trial.request.ours) return with(trial.reference)(seed);
+        Picture& known = (*trial.request.ours)[{scene.text, scene.mesh, seed}];
+        if (known.pixels() == 0) known = with(trial.reference)(seed);
+        return known;
+    };
     for (std::uint64_t time : {1, 2}) {
-        const Comparison compared = compare({with(trial.own), with(trial.reference), true}, time);
+        const Comparison compared = compare({with(trial.own), ours, true}, time);
         line.actual = what_differs(compared);
         line.looked.pictures = compared;
         line.suggestion = only_noise_differs(compared) ? about_noise : scene.suggestion;

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace companion {
@@ -32,6 +34,9 @@ struct JudgedLine {
     Looked looked{};
 };
 
+// Our pictures, by the scene, its mesh and the seed.
+using OurPictures = std::map<std::tuple<std::string, std::string, std::uint64_t>, Picture>;
+
 struct JudgeRequest {
     fs::path folder, reference;  // the learner's folder, and the course's own program
     std::uint64_t seed = 1;      // of the scenes
@@ -41,6 +46,8 @@ struct JudgeRequest {
     int crowd = 10'000;          // spheres in the scenes on which all cores are measured
     double tree_gain = 10;       // how many times as fast as --list a tree must be; 0: any
     std::string only_line{};     // judge only this line; empty: all lines
+    // If not null, it keeps our pictures for the programs that are judged next.
+    OurPictures* ours = nullptr;
     // Called when the judging of a line begins, because it may take long.
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };

@@ -7,6 +7,7 @@
 #include <companion/pages/shared_page.hpp>
 #include <companion/system/date.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/platform.hpp>
 #include <ctime>
 #include <set>
 #include <sstream>
@@ -176,8 +177,7 @@ void take_picture(const Course& course, const State& state, SharedPage& page) {
                has_certified = fs::is_regular_file(certified, none);
     if (!has_mine && !has_certified) return;
     page.scene = last.caption;
-    if (has_certified &&
-        (!has_mine || fs::last_write_time(certified) > fs::last_write_time(mine))) {
+    if (!has_mine || (has_certified && last_written(certified) > last_written(mine))) {
         page.picture = read_file(certified);
         page.caption = Yours{{last.name}, {}, {}}.caption();  // all code that certify runs
         return;

@@ -4,7 +4,6 @@
 #include <companion/pages/plot.hpp>
 #include <companion/pages/studies.hpp>
 #include <companion/system/process.hpp>
-#include <system_error>
 
 namespace companion {
 
@@ -14,7 +13,7 @@ fs::path study_folder(const Course& course, Whose whose) {
 
 std::vector<std::string> study_programs(const Chapter& chapter, Whose whose) {
     const std::string program = chapter.name + (whose == Whose::mine ? "_mine" : "_solution");
-    return {program, program + "_float"};
+    return {program + "_study", program + "_float_study"};
 }
 
 void measure(const Course& course, const Chapter& chapter, bool show_tables, Whose whose) {

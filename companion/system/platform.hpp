@@ -2,7 +2,9 @@
 // What operating systems name or provide in different ways: posix/platform.cpp and
 // windows/platform.cpp define the same functions.
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,10 @@ std::string library_name(const std::string& name);
 // An argument for the command env, "NAME=VALUE", so that a program finds its shared libraries in
 // this folder.
 std::string libraries_in(const std::filesystem::path& folder);
+
+// When a file was last written, in the units of the file system; nothing if it is missing. (On
+// Windows, std::filesystem::last_write_time counts whole seconds, and would miss a second save.)
+std::optional<std::int64_t> last_written(const std::filesystem::path& file);
 
 // Sets a variable of the environment, for this program and those that it runs.
 void set_variable(const char* name, const char* value);

@@ -2,9 +2,9 @@
 // Reads the picture that the learner's first ray tracer prints.
 
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace first {
@@ -26,15 +26,17 @@ struct Picture {
 };
 
 // The first words of a text, at most this many, without the comments after a #.
-inline std::vector<std::string> words(const std::string& text, std::size_t most) {
-    std::vector<std::string> all;
+inline std::vector<std::string_view> words(std::string_view text, std::size_t most) {
+    const auto is_space = [](char c) { return c == ' ' || (c >= '\t' && c <= '\r'); };
+    std::vector<std::string_view> all;
     for (std::size_t at = 0; at < text.size() && all.size() < most;) {
         if (text[at] == '#') {
             at = std::min(text.find('\n', at), text.size());
-        } else if (std::isspace(static_cast<unsigned char>(text[at]))) {
+        } else if (is_space(text[at])) {
             ++at;
         } else {
-            const std::size_t end = std::min(text.find_first_of(" \t\r\n\v\f#", at), text.size());
+            std::size_t end = at;
+            while (end < text.size() && text[end] != '#' && !is_space(text[end])) ++end;
             all.push_back(text.substr(at, end - at));
             at = end;
         }
@@ -43,19 +45,23 @@ inline std::vector<std::string> words(const std::string& text, std::size_t most)
 }
 
 // A whole number of at most nine digits; -1 if the word is something else.
-inline int whole_number(const std::string& word) {
-    const bool is_one = !word.empty() && word.size() < 10 &&
-                        word.find_first_not_of("0123456789") == std::string::npos;
-    return is_one ? std::stoi(word) : -1;
+inline int whole_number(std::string_view word) {
+    if (word.empty() || word.size() > 9) return -1;
+    int number = 0;
+    for (const char c : word) {
+        if (c < '0' || c > '9') return -1;
+        number = 10 * number + (c - '0');
+    }
+    return number;
 }
 
 // Reads a P3 picture. If the text is not one, `trouble` says at which word, and what was expected.
 inline Picture read_p3(const std::string& text, std::string& trouble) {
     constexpr int widest = 1920;
     constexpr std::size_t most = 3 * std::size_t{widest} * widest;
-    const std::vector<std::string> all = words(text, most + 5);
+    const std::vector<std::string_view> all = words(text, most + 5);
     const auto word = [&](std::size_t i) {
-        return i < all.size() ? '"' + all[i].substr(0, 20) + '"' : std::string{"nothing"};
+        return i < all.size() ? '"' + std::string{all[i].substr(0, 20)} + '"' : "nothing";
     };
     const auto number = [&](std::size_t i) { return i < all.size() ? whole_number(all[i]) : -1; };
     Picture picture;

@@ -32,7 +32,6 @@ inline double length_error(Vec3 v) {
 // Directions on a hemisphere about `pole`, counted in a grid of `turns` by `rings` cells.
 struct Grid {
     Vec3 pole, x, y;
-    double lowest_pole_cosine = 0;
     std::vector<long> counts = std::vector<long>(turns * rings);
 
     explicit Grid(Vec3 p) : pole{p} {

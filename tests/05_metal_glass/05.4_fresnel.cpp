@@ -1,5 +1,4 @@
 #include <rt/fresnel.hpp>
-#include <vector>
 
 #include "exact_vectors.hpp"
 

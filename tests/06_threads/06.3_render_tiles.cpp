@@ -5,7 +5,6 @@
 #include <rt/rng.hpp>
 #include <rt/todo.hpp>
 #include <set>
-#include <stdexcept>
 #include <string>
 
 #include "checkpoint.hpp"

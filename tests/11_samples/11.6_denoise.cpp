@@ -3,7 +3,6 @@
 #include <rt/denoise.hpp>
 #include <rt/rng.hpp>
 #include <string>
-#include <vector>
 
 #include "checkpoint.hpp"
 #include "statistics.hpp"

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <fstream>
 #include <rt/rng.hpp>
 #include <rt/saved_tiles.hpp>
 #include <rt/todo.hpp>

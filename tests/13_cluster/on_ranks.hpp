@@ -3,7 +3,10 @@
 // for all of its test cases. Each rank runs all of them, and leaves what it finds in files; the
 // first program reads these, and gives up on ranks that hang.
 
+#include <sched.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cctype>
@@ -23,6 +26,15 @@
 #include <vector>
 
 #include "checkpoint.hpp"
+
+// While a rank waits, Open MPI calls this in a loop. A rank that has waited for long probably
+// hangs. It sleeps, so that it does not keep a core busy until we give up on it.
+inline int yields = 0;  // since the latest work began
+extern "C" int sched_yield() noexcept {
+    if (++yields < 10'000) return static_cast<int>(::syscall(SYS_sched_yield));
+    const timespec moment{0, 2'000'000};
+    return ::nanosleep(&moment, nullptr);
+}
 
 namespace checkpoint {
 
@@ -79,6 +91,7 @@ inline void work_as_rank(const std::string& call, int count, const RankWork& wor
         std::ofstream{progress(folder), std::ios::app} << '.';
     }
     if (rank < count) {
+        yields = 0;
         std::string words{is_right};
         try {
             const std::string wrong = work(group);
@@ -90,6 +103,7 @@ inline void work_as_rank(const std::string& call, int count, const RankWork& wor
         }
         leave(ended(folder, call, rank), words);
     }
+    yields = 0;
     // A rank that is done waits for the others, so that one that hangs is found in its own test
     // case.
     MPI_Barrier(MPI_COMM_WORLD);

@@ -4,7 +4,7 @@
 # it, such as an emulator.
 #
 # small_picture.sh --update BUILD: draws all pictures with the programs of this build folder, and writes the
-# file again. Build study_programs and 09_own_solution first.
+# file again. Build solution_programs and float_programs first.
 set -eu
 here=$(dirname "$0")
 table=$here/small_pictures.txt

@@ -2,12 +2,10 @@
 #include <app/cores.hpp>
 #include <chrono>
 #include <cstring>
-#include <fstream>
 #include <rt/image.hpp>
 #include <rt/render_slices.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/sample_rng.hpp>
-#include <set>
 #include <thread>
 
 #include "certificate.hpp"

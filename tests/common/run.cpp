@@ -1,7 +1,6 @@
+#include <app/json.hpp>
 #include <app/run.hpp>
 #include <csignal>
-#include <map>
-#include <nlohmann/json.hpp>
 #include <study/report.hpp>
 
 #include "checkpoint.hpp"
@@ -108,7 +107,7 @@ TEST_CASE("a program describes its options and their defaults", "[run]") {
     app::Program with_more = program();
     with_more.choices = {{"ending", "How a path ends", {"sky", "black"}}};
     const auto described = [](const app::Program& one) {
-        return nlohmann::json::parse(app::describe(one)).get<std::map<std::string, std::string>>();
+        return app::texts_in(app::describe(one), "--describe");
     };
     auto defaults = described(with_more);
     CHECK(defaults["out"] == "99_test.png");

@@ -1,4 +1,3 @@
-#include <cmath>
 #include <companion/compare/comparison.hpp>
 #include <rt/rng.hpp>
 

@@ -1,5 +1,5 @@
-// The rules of DESIGN that concern the sources as a whole. What depends on the stubs as shipped is
-// tagged [stubs]: a learner's own code is free of these rules.
+// The rules of CONTRIBUTING.md that concern the sources as a whole. What depends on the stubs as
+// shipped is tagged [stubs]: a learner's own code is free of these rules.
 
 #include <companion/dev/parts.hpp>
 #include <companion/model/exercise.hpp>

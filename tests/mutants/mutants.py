@@ -20,6 +20,7 @@ Needs python3 with libclang (package python3-clang) and a configured build folde
 import argparse
 import collections
 import concurrent.futures
+import contextlib
 import json
 import math
 import os
@@ -151,7 +152,6 @@ class Maker:
         if kind == Kind.VAR_DECL and children and children[-1].kind.is_expression():
             self.value(children[-1])
         for child in children:
-            # A binary operator that is overloaded names its function in the middle.
             self.visit(child, scope)
             if child.kind == Kind.DECL_STMT:
                 scope += [c for c in child.get_children() if c.kind == Kind.VAR_DECL]
@@ -226,7 +226,7 @@ class Maker:
     def call(self, cursor, children):
         text = self.text(cursor)
         name = cursor.spelling or (cursor.referenced.spelling if cursor.referenced else "")
-        if name.startswith("operator") and len(children) == 3:
+        if name.startswith("operator") and len(children) == 3:  # it names its function in the middle
             left, right = children[0], children[2]
             if left.extent.end.offset <= right.extent.start.offset:
                 self.binary(cursor, [left, right])
@@ -300,11 +300,8 @@ class Maker:
     def loop(self, cursor, children):
         for child in children[:-1]:
             if child.kind == Kind.BINARY_OPERATOR or self.type(child) == "bool":
-                if cursor.kind == Kind.WHILE_STMT:
-                    # The body runs once.
-                    self.add(child, "false")
-                else:
-                    self.add(child, "false")
+                self.add(child, "false")  # the body never runs
+                if cursor.kind != Kind.WHILE_STMT:
                     left = list(child.get_children())
                     if len(left) == 2:
                         token, _, _ = self.operator_between(*left)
@@ -340,8 +337,6 @@ class Maker:
         """Another member of the same type."""
         field = cursor.referenced
         if field is None or field.kind != Kind.FIELD_DECL or not children:
-            return
-        if field.extent.start.file and field.extent.start.file.name == self.path and not children:
             return
         fields = [f for f in field.semantic_parent.type.get_fields() if self.type(f) == self.type(field)]
         names = [f.spelling for f in fields]
@@ -454,11 +449,14 @@ inline const int rt_mutant = std::getenv("RT_MUTANT") ? std::atoi(std::getenv("R
 """
 
 
-def limits(seconds):
-    """For a program that may take so many seconds of processor time: an endless loop ends however busy the machine is."""
-    resource.setrlimit(resource.RLIMIT_AS, (6 << 30, 6 << 30))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+def limit(process, seconds):
+    """Ends a program after so many whole seconds of processor time: an endless loop ends however busy the machine is.
+    The program runs already, since preexec_fn, by which it would begin with its limits, takes longer than most mutants."""
+    # Filling more memory would take most of the time of some exercises.
+    limits = {resource.RLIMIT_DATA: 1 << 30, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: seconds}
+    for kind, most in limits.items():
+        with contextlib.suppress(ProcessLookupError):
+            resource.prlimit(process.pid, kind, (most, most))
 
 
 def time_of_children():
@@ -493,7 +491,7 @@ class Answer:
         words[first:first] = [f"-I{edited}", f"-I{edited}/rt", f"-I{ROOT}/common", "-w", every_error, "-fno-diagnostics-show-caret"]
         return words
 
-    def compile(self, edited, only_errors=False):
+    def compile(self, edited):
         """Compiles with the edited folder first. Returns the errors; empty if it compiles."""
         objects, errors, link = [], "", []
         for command in self.compiles:
@@ -504,12 +502,12 @@ class Answer:
             name = self.place / f"{file.name}.o"
             words = self.words(command, edited)
             link = link or words
-            output = ["-fsyntax-only"] if only_errors else ["-o", str(name)]
-            done = subprocess.run([*words, "-c", str(file), *output], cwd=self.build, capture_output=True, text=True)
+            done = subprocess.run([*words, "-c", str(file), "-o", str(name)],
+                                  cwd=self.build, capture_output=True, text=True)
             if done.returncode:
                 errors += done.stderr
             objects.append(str(name))
-        if errors or only_errors:
+        if errors:
             return errors
         if "-include" in link:
             at = link.index("-include")
@@ -518,17 +516,47 @@ class Answer:
                               cwd=self.build, capture_output=True, text=True)
         return done.stderr if done.returncode else ""
 
-    def passes(self, number, seconds, processor_seconds=300):
-        """Do all checkpoints pass?"""
+    def run(self, number, words, seconds=300, processor_seconds=300):
+        """The checkpoint's output on this mutant; None if a test fails or the time is over."""
         environment = dict(os.environ, RT_MUTANT=str(number), COURSE_ANSWER=str(self.place),
                            LD_LIBRARY_PATH=str(self.place), DYLD_LIBRARY_PATH=str(self.place))
-        try:
-            done = subprocess.run([str(self.checkpoint), "--abort"], cwd=self.folder, env=environment,
-                                  stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                  timeout=seconds, preexec_fn=lambda: limits(processor_seconds))
-        except subprocess.TimeoutExpired:
+        with subprocess.Popen([str(self.checkpoint), "--abort", "-w", "NoTests", *words],
+                              cwd=self.folder, env=environment, text=True, errors="replace",
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
+            limit(process, processor_seconds)
+            try:
+                said, _ = process.communicate(timeout=seconds)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                return None
+        return said if process.returncode == 0 else None
+
+    def measure(self, words):
+        """Runs these test cases on the solution. Returns what it prints, None if it fails, and the arguments with which
+        run() tries a mutant."""
+        begun, used = time.time(), time_of_children()
+        said = self.run(0, words)
+        return said, (words, max(5.0, 8 * (time.time() - begun)), math.ceil(0.5 + 8 * (time_of_children() - used)))
+
+    def try_solution(self):
+        """Does the solution pass? Then mutants are run part by part: the quick test cases first, so that a mutant
+        without end does not run for as long as the slow ones may take."""
+        said, whole = self.measure(["-d", "yes"])
+        if said is None:
             return False
-        return done.returncode == 0
+        self.parts = [whole]
+        times = re.findall(r"^([\d.]+) s: (.*)$", said, re.M)
+        slow = [re.sub(r"([\\\[\],*])", r"\\\1", name) for seconds, name in times if float(seconds) > 0.2]
+        if not 0 < len(slow) < len(times):
+            return True
+        quick = self.measure(["".join(f'~"{name}"' for name in slow)])
+        rest = self.measure([",".join(f'"{name}"' for name in slow)])
+        self.parts = [quick[1], rest[1]]
+        return quick[0] is not None and rest[0] is not None
+
+    def passes(self, number):
+        """Do all test cases pass?"""
+        return all(self.run(number, *part) is not None for part in self.parts)
 
 
 class Exercise:
@@ -552,7 +580,9 @@ def blame(errors):
             r"([^\s:]+):(\d+)(?:,|:)", errors):
         if "/mutated/" not in path:
             continue
-        lines = cache.setdefault(path, pathlib.Path(path).read_text().split("\n"))
+        if path not in cache:
+            cache[path] = pathlib.Path(path).read_text().split("\n")
+        lines = cache[path]
         row = int(row) - 1
         marks = re.findall(r"/\*@(\d*)\*/", lines[row]) if row < len(lines) else []
         if not marks:  # a mutant's text may span lines
@@ -607,31 +637,25 @@ def run_exercise(exercise, build, float_too, log):
             target.write_text(text)
 
     kept = set(mutants)
-    uncompiled = set()
     for _ in range(12):
         write(kept)
-        errors = answer.compile(edited, only_errors=True)
-        if not errors:
-            break
-        bad = {m for m in kept if m.number in blame(errors)}
+        errors = answer.compile(edited)
+        blamed = blame(errors)
+        bad = {m for m in kept if m.number in blamed}
         if not bad:
-            raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
+            break
         kept -= bad
-        uncompiled |= bad
-    errors = answer.compile(edited)
     if errors:
         raise RuntimeError(f"{exercise.id}: the mutants do not compile:\n{errors[:3000]}")
-    begun, used = time.time(), time_of_children()
-    if not answer.passes(0, 300):
+    if not answer.try_solution():
         raise RuntimeError(f"{exercise.id}: the solution itself does not pass")
-    patience = max(5.0, 8 * (time.time() - begun)), 1 + math.ceil(8 * (time_of_children() - used))
 
     chosen = sorted((m for m in kept if m.form != "alone"), key=lambda m: m.number)
     alone = [m for m in kept if m.form == "alone"]
     allowed = exercise.allowed()
     surviving, stopped = [], 0
     for mutant in chosen:
-        if answer.passes(mutant.number, *patience):
+        if answer.passes(mutant.number):
             surviving.append(mutant)
         else:
             stopped += 1
@@ -645,23 +669,25 @@ def run_exercise(exercise, build, float_too, log):
             (single / name).write_bytes(text)
         lonely = Answer(build, exercise.id, "double", single.parent)
         if lonely.compile(single):
-            uncompiled.add(mutant)
-        elif lonely.passes(0, *patience):
+            continue  # it is left out
+        lonely.parts = answer.parts
+        if lonely.passes(0):
             surviving.append(mutant)
         else:
             stopped += 1
     if float_too and any(m.form != "alone" and m.key not in allowed for m in surviving):
         narrow = Answer(build, exercise.id, "float", folder)
         errors = narrow.compile(edited)
-        if errors and blame(errors):
-            write({m for m in kept if m.number not in blame(errors)})
+        blamed = blame(errors)
+        if blamed:
+            write({m for m in kept if m.number not in blamed})
             errors = narrow.compile(edited)
         if errors:
             log(f"{exercise.id}: not compiled in float: {errors[:300]}")
-        elif narrow.passes(0, 300):
+        elif narrow.try_solution():
             left = []
             for mutant in surviving:
-                if mutant.form == "alone" or mutant.key in allowed or narrow.passes(mutant.number, *patience):
+                if mutant.form == "alone" or mutant.key in allowed or narrow.passes(mutant.number):
                     left.append(mutant)
                 else:
                     stopped += 1

@@ -1,6 +1,6 @@
 // The error rates of `course compare`, measured.
 //
-//   compare_programs differ MINE SOLUTION...     exit 0 when the two programs' pictures differ
+//   compare_programs differ MINE SOLUTION        exit 0 when the two programs' pictures differ
 //   compare_programs alarms RUNS PROGRAM...      compares each program with itself, RUNS times
 //                                                with new seeds; exit 0 when at most one run in
 //                                                300 says that it differs

@@ -192,8 +192,7 @@ int races(const std::string& chapter) {
     std::vector<MistakenAnswer> answers;
     std::vector<Outcome> outcomes;
     for (const Exercise& exercise : exercises(course, Chapter{.name = chapter, .hints = {}}))
-        for (MistakenAnswer& answer : make_mistakes(course, exercise, below)) {
-            if (!answer.mistake.remarks.count(remark)) continue;
+        for (MistakenAnswer& answer : make_mistakes(course, exercise, below, remark)) {
             const Cases cases{.exercise = exercise.id,
                               .answer = answer.folder,
                               .only = answer.mistake.remarks.at(remark)};

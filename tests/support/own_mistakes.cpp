@@ -10,6 +10,7 @@
 #include <app/errors.hpp>
 #include <companion/model/mistakes.hpp>
 #include <companion/own/judge.hpp>
+#include <companion/own/own_program.hpp>
 #include <cstdio>
 #include <set>
 #include <sstream>
@@ -47,9 +48,11 @@ bool passes_all(const fs::path& reference, const fs::path& start, const fs::path
     std::vector<std::string> parts = judge_parts();
     if (!core)
         for (const std::string& part : optional_parts()) parts.push_back(part);
-    for (const std::string& part : parts)
-        if (core ? part >= "rung1" && part <= "rung6" : part != "accuracy")
-            judge({folder.path(), reference, 1, part, app::physical_cores()},
+    std::erase_if(parts, [core](const std::string& part) {
+        return core ? part < "rung1" || part > "rung6" : part == "accuracy";
+    });
+    judge_program(OwnProgram{folder.path()},
+                  {folder.path(), reference, 1, {}, app::physical_cores()}, parts,
                   [&](const JudgedLine& line) {
                       passed = passed && (line.passed || line.busy_machine);
                       print(line);
@@ -73,16 +76,22 @@ bool is_stopped(const Mistake& mistake, const fs::path& reference, const fs::pat
     struct Enough {};  // what comes after it takes half a minute to measure
     try {
         JudgeRequest request{folder.path(), reference, 1, part, app::physical_cores()};
+        static OurPictures ours;  // the same for all mistakes
+        request.ours = &ours;
         if (mistake.caught_by != "rung 10: the tree against --list" && part == "rung10")
             request.tree_gain = 0;  // measuring it takes longer than all pictures
-        judge(request, [&](const JudgedLine& line) {
+        const auto look = [&](const JudgedLine& line) {
             if (line.busy_machine)
                 wanted.erase(line.what);
             else
                 (line.passed ? passing : failing).insert(line.what);
             if (line.busy_machine || !line.passed) print(line);
             if (is_timed(part) && line.what == mistake.caught_by) throw Enough{};
-        });
+        };
+        if (part == "sanitizers")  // which builds programs of its own, and asks no other
+            judge_program(OwnProgram{OwnProgram::Existing{}, reference}, request, {part}, look);
+        else
+            judge(request, look);
     } catch (const Enough&) {
     }
     const auto others = mistake.remarks.find("also fails");

@@ -7,8 +7,8 @@
 #include <app/cores.hpp>
 #include <app/platform.hpp>
 #include <app/signals.hpp>
+#include <app/windows/held.hpp>
 #include <cerrno>
-#include <chrono>
 #include <cstddef>
 #include <cstdlib>
 #include <string_view>
@@ -43,12 +43,6 @@ LONG CALLBACK end_at_crash(EXCEPTION_POINTERS* what) {
             ::TerminateProcess(::GetCurrentProcess(), code);
     }
     return EXCEPTION_CONTINUE_SEARCH;
-}
-
-// A viewer, a backup, a virus scanner or OneDrive may hold a file for a moment.
-constexpr int tries = 100;
-void wait_a_moment() {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
 
 bool is_console(HANDLE handle) {
@@ -97,11 +91,12 @@ SignalHandler handler_of(int signal) {
 }
 
 std::FILE* open_for_reading(const fs::path& path) {
-    for (int i = 0;; ++i) {
-        std::FILE* const file = ::_wfopen(path.c_str(), L"rb");
-        if (file || errno != EACCES || i == tries || !fs::is_regular_file(path)) return file;
-        wait_a_moment();
-    }
+    std::FILE* file = nullptr;
+    until_released([&] {
+        file = ::_wfopen(path.c_str(), L"rb");
+        return file || errno != EACCES || !fs::is_regular_file(path);
+    });
+    return file;
 }
 
 std::FILE* open_for_writing(const fs::path& path, bool only_new) {
@@ -113,17 +108,16 @@ std::FILE* open_for_writing(const fs::path& path, bool only_new) {
 }
 
 void rename_over(const fs::path& from, const fs::path& to) {
-    for (int i = 0;; ++i) {
-        if (::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING)) return;
-        const DWORD error = ::GetLastError();
-        const bool is_held = error == ERROR_ACCESS_DENIED || error == ERROR_SHARING_VIOLATION ||
-                             error == ERROR_LOCK_VIOLATION;
-        if (!is_held || i == tries || fs::is_directory(to))
-            throw fs::filesystem_error(
-                "cannot rename", from, to,
-                std::error_code{static_cast<int>(error), std::system_category()});
-        wait_a_moment();
-    }
+    DWORD error = 0;
+    until_released([&] {
+        const bool is_renamed = ::MoveFileExW(from.c_str(), to.c_str(), MOVEFILE_REPLACE_EXISTING);
+        error = is_renamed ? 0 : ::GetLastError();
+        return !is_held(error) || fs::is_directory(to);
+    });
+    if (error != 0)
+        throw fs::filesystem_error(
+            "cannot rename", from, to,
+            std::error_code{static_cast<int>(error), std::system_category()});
 }
 
 void remove_now(const wchar_t* path) {

@@ -28,6 +28,13 @@ std::string libraries_in(const std::filesystem::path& folder) {
     return library_path + folder.string();
 }
 
+std::optional<std::int64_t> last_written(const std::filesystem::path& file) {
+    std::error_code missing;
+    const auto time = std::filesystem::last_write_time(file, missing);
+    if (missing) return {};
+    return time.time_since_epoch().count();
+}
+
 void set_variable(const char* name, const char* value) {
     ::setenv(name, value, true);
 }

@@ -47,6 +47,13 @@ std::string libraries_in(const std::filesystem::path& folder) {
     return "PATH=" + folder.string() + (path ? std::string{";"} + path : "");
 }
 
+std::optional<std::int64_t> last_written(const std::filesystem::path& file) {
+    WIN32_FILE_ATTRIBUTE_DATA data{};
+    if (!::GetFileAttributesExW(file.c_str(), GetFileExInfoStandard, &data)) return {};
+    const FILETIME& time = data.ftLastWriteTime;
+    return static_cast<std::int64_t>(std::uint64_t{time.dwHighDateTime} << 32 | time.dwLowDateTime);
+}
+
 void set_variable(const char* name, const char* value) {
     ::_putenv_s(name, value);
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <app/platform.hpp>
 #include <app/signals.hpp>
+#include <app/windows/held.hpp>
 #include <app/windows/processor_time.hpp>
-#include <array>
 #include <atomic>
 #include <chrono>
 #include <companion/system/process.hpp>
@@ -14,7 +14,6 @@
 #include <cstdint>
 #include <cstring>
 #include <map>
-#include <mutex>
 #include <optional>
 #include <sstream>
 #include <system_error>
@@ -405,11 +404,16 @@ Handle start(const fs::path& program, const Command& command, const fs::path& fo
     std::wstring line, environment = environment_with(command.variables);
     for (const std::string& word : command.words) add_word(line, wide(word));
     PROCESS_INFORMATION made{};
-    if (!::CreateProcessW(
-            program.c_str(), line.data(), nullptr, nullptr, TRUE,
+    bool is_started = false;
+    app::until_released([&] {       // a virus scanner may hold what has just been compiled
+        std::wstring words = line;  // which the call may change
+        is_started = ::CreateProcessW(
+            program.c_str(), words.data(), nullptr, nullptr, TRUE,
             CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT | EXTENDED_STARTUPINFO_PRESENT,
-            environment.data(), fs::absolute(folder).c_str(), &info, &made))
-        return {};
+            environment.data(), fs::absolute(folder).c_str(), &info, &made);
+        return is_started || !app::is_held(::GetLastError());
+    });
+    if (!is_started) return {};
     const Handle thread{made.hThread};
     ::AssignProcessToJobObject(job.get(), made.hProcess);
     ::ResumeThread(made.hThread);

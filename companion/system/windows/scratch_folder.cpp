@@ -1,11 +1,11 @@
 #include <windows.h>
 
 #include <app/errors.hpp>
+#include <app/windows/held.hpp>
 #include <chrono>
 #include <companion/system/scratch_folder.hpp>
 #include <companion/system/windows/wide.hpp>
 #include <random>
-#include <thread>
 
 namespace companion {
 namespace {
@@ -51,12 +51,10 @@ ScratchFolder::ScratchFolder(const std::string& name) {
 ScratchFolder::~ScratchFolder() {
     ::CloseHandle(reinterpret_cast<HANDLE>(held_));
     std::error_code error;
-    // A program that was just ended, or a virus scanner, may hold a file for a moment.
-    for (int i = 0; i < 100; ++i) {
+    app::until_released([&] {  // a program that was just ended may hold a file, too
         fs::remove_all(path_, error);
-        if (!error) return;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
+        return !error;
+    });
 }
 
 }  // namespace companion

@@ -8,7 +8,6 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <rt/choose_renderer.hpp>
 #include <rt/needed_effects.hpp>
 #include <rt/renderers.hpp>

@@ -9,6 +9,7 @@
 #include <companion/system/platform.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/scratch_folder.hpp>
+#include <set>
 #include <thread>
 
 #include "catch.hpp"
@@ -140,6 +141,22 @@ TEST_CASE("processes run at the same time, and each has its own output", "[proce
     for (std::size_t i = 0; i < outputs.size(); ++i) CHECK(outputs[i] == std::to_string(i) + '|');
 }
 
+TEST_CASE("a program that is held is started a moment later", "[process]") {
+    const TemporaryFolder folder;
+    const std::filesystem::path program = folder / "held.exe";
+    std::filesystem::copy_file(ODD_PROGRAM, program);
+    const HANDLE held = ::CreateFileW(program.c_str(), GENERIC_READ | GENERIC_WRITE, 0, nullptr,
+                                      OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
+    REQUIRE(held != INVALID_HANDLE_VALUE);
+    std::thread release{[&] {
+        wait(300);
+        ::CloseHandle(held);
+    }};
+    const Result result = run_process({.command = {program.string(), "exit", "7"}});
+    release.join();
+    CHECK(result.exit_code == 7);
+}
+
 TEST_CASE("a program is looked up in PATH", "[process]") {
     CHECK(companion::is_installed("cmd"));
     CHECK_FALSE(companion::is_installed("no-such-program-here"));
@@ -209,6 +226,19 @@ TEST_CASE("a stub that a thread reaches is named", "[process]") {
     const Result result = odd({"todo"});
     CHECK(result.exit_code == app::still_to_write);
     CHECK(result.output.rfind("odd_program: exercise 01.2", 0) == 0);
+}
+
+TEST_CASE("a file that is saved twice within a second was saved twice", "[process]") {
+    const TemporaryFolder folder;
+    const std::filesystem::path file = folder / "saved.hpp";
+    CHECK_FALSE(companion::last_written(file));
+    std::set<std::int64_t> times;
+    for (int i = 0; i < 3; ++i) {
+        checkpoint::write_file(file, "the same");
+        times.insert(companion::last_written(file).value());
+        wait(50);
+    }
+    CHECK(times.size() == 3);
 }
 
 TEST_CASE("a line is taken apart as CMake writes it on Windows", "[process]") {

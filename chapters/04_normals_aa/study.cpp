@@ -1,7 +1,7 @@
-#pragma once
 // What accuracy costs: all errors on one scale; more samples, better placed samples, and more
 // bounces.
 
+#include <app/run.hpp>
 #include <cmath>
 #include <functional>
 #include <study/pixel_error.hpp>
@@ -12,8 +12,9 @@
 #include "stage.hpp"
 
 namespace normals_aa {
+namespace {
 
-inline double mean_radiance(const Pixels& pixels) {
+double mean_radiance(const Pixels& pixels) {
     double sum = 0;
     for (const Color& c : pixels) sum += static_cast<double>(c.r + c.g + c.b);
     return sum / (3 * static_cast<double>(pixels.size()));
@@ -56,7 +57,7 @@ void add_placements(study::Report& report, std::vector<Placement> placements,
     }
 }
 
-inline void study_samples(study::Report& report, const Stage& stage) {
+void study_samples(study::Report& report, const Stage& stage) {
     constexpr int depth = 4;
     const Pixels reference = draw_low_discrepancy(stage, 1 << 14, depth, 1, SkyEnding{});
     std::vector<Placement> placements;
@@ -87,14 +88,14 @@ inline void study_samples(study::Report& report, const Stage& stage) {
 
 // The exact share of a pixel that lies on one side of a straight edge, where
 // x * cosine + y * sine < edge. Cosine and sine must be greater than 0.
-inline double coverage(double cosine, double sine, double edge) {
+double coverage(double cosine, double sine, double edge) {
     const auto triangle = [&](double e) { return e > 0 ? e * e / (2 * cosine * sine) : 0; };
     return triangle(edge) - triangle(edge - cosine) - triangle(edge - sine) +
            triangle(edge - cosine - sine);
 }
 
 // The same three placements, where only the sample point in the pixel is random.
-inline void study_edge(study::Report& report) {
+void study_edge(study::Report& report) {
     constexpr int edges = 1000;
     std::vector<Placement> placements;
     const auto add = [&](const char* variant, int samples, auto average) {
@@ -148,7 +149,7 @@ inline void study_edge(study::Report& report) {
 // bright with the sky, too dark with black. With every ending, the paths are the same up to the
 // depth limit, so that their shared noise cancels; only the roulette draws random numbers of its
 // own.
-inline void study_depth(study::Report& report, const Stage& stage) {
+void study_depth(study::Report& report, const Stage& stage) {
     constexpr int samples = 1024;
     const auto draw = [&](int depth, const auto& ending) {
         return draw_low_discrepancy(stage, samples, depth, 1, ending);
@@ -174,7 +175,7 @@ inline void study_depth(study::Report& report, const Stage& stage) {
     report.time_in_turns({.rounds = 3});
 }
 
-inline void study_samples_and_depth(study::Report& report) {
+void study_samples_and_depth(study::Report& report) {
     const Stage stage;
     study_budget(report);
     study_edge(report);
@@ -182,4 +183,7 @@ inline void study_samples_and_depth(study::Report& report) {
     study_depth(report, stage);
 }
 
+}  // namespace
 }  // namespace normals_aa
+
+void (*const app::program_study)(study::Report&) = normals_aa::study_samples_and_depth;

@@ -1,6 +1,6 @@
-#pragma once
 // What it costs to know where a far sphere is hit, and whether it is hit at all.
 
+#include <app/run.hpp>
 #include <rt/compiler.hpp>
 #include <rt/length.hpp>
 #include <rt/orthonormal_basis.hpp>
@@ -15,6 +15,7 @@
 #include "variants.hpp"
 
 namespace spheres {
+namespace {
 
 using rt::Ray, rt::Real, rt::Sphere, rt::Vec3;
 using study::DoubleDouble;
@@ -27,7 +28,7 @@ struct Case {
 };
 
 // The true answers, computed with numbers of 106 bits.
-inline Case exact_case(const Ray& ray) {
+Case exact_case(const Ray& ray) {
     const auto exact = [](Real x) { return DoubleDouble(static_cast<double>(x)); };
     const auto fx = exact(ray.origin.x), fy = exact(ray.origin.y), fz = exact(ray.origin.z);
     const auto dx = exact(ray.direction.x), dy = exact(ray.direction.y),
@@ -43,7 +44,7 @@ inline Case exact_case(const Ray& ray) {
 
 // Rays that come from random directions and aim at random points of a ring around the center. If
 // the ring is a disk with a radius of 1.4, half of the rays hit.
-inline std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = Real(1.4)) {
+std::vector<Case> cases_from(Real distance, Real inner = 0, Real outer = Real(1.4)) {
     rt::Rng rng{11, 3};
     std::vector<Case> cases(2000);
     for (Case& c : cases) {
@@ -65,7 +66,7 @@ struct Quality {
     double wrong_share = 0;    // of all rays: a hit taken for a miss, or a miss for a hit
 };
 
-inline Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) {
+Quality judge(const std::vector<Case>& cases, variants::HitFunction hit) {
     Quality quality;
     for (const Case& c : cases) {
         const bool hits = DoubleDouble(0) < c.t;
@@ -111,7 +112,7 @@ void with_each_variant(Measure measure) {
 }
 
 // The error that a formula makes in the chapter's small picture of a sphere at this distance.
-inline double error_in_a_pixel(Real distance, variants::HitFunction hit) {
+double error_in_a_pixel(Real distance, variants::HitFunction hit) {
     const far_spheres::FarSphere far{distance, 64, 64};
     std::vector<rt::Color> pixels, truth;
     for (int y = 0; y < far.camera.height; ++y)
@@ -126,7 +127,7 @@ inline double error_in_a_pixel(Real distance, variants::HitFunction hit) {
     return study::root_mean_square_error(pixels, truth);
 }
 
-inline void run_study(study::Report& report) {
+void run_study(study::Report& report) {
     const auto far = [&](const char* study, double Quality::*error, const char* error_name) {
         with_each_variant([&](const char* variant, auto hit) {
             for (int exponent = 0; exponent <= 8; ++exponent) {
@@ -177,4 +178,7 @@ inline void run_study(study::Report& report) {
     add_pixel_error("ours, 10^7 radii away", Real(1e7), rt::hit_sphere);
 }
 
+}  // namespace
 }  // namespace spheres
+
+void (*const app::program_study)(study::Report&) = spheres::run_study;

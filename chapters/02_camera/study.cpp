@@ -1,6 +1,6 @@
-#pragma once
 // What accuracy costs in this chapter: ways to map a pixel, to make its ray, and to find the basis.
 
+#include <app/run.hpp>
 #include <array>
 #include <cmath>
 #include <rt/compiler.hpp>
@@ -16,6 +16,7 @@
 #include "dome.hpp"
 
 namespace camera_study {
+namespace {
 
 using rt::Camera;
 using rt::Real;
@@ -33,37 +34,37 @@ struct Exact3 {
     friend Exact3 operator+(Exact3 a, Exact3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
     friend Exact3 operator*(DoubleDouble s, Exact3 v) { return {s * v.x, s * v.y, s * v.z}; }
 };
-inline DoubleDouble length(Exact3 v) {
+DoubleDouble length(Exact3 v) {
     return sqrt(v.x * v.x + v.y * v.y + v.z * v.z);
 }
-inline Exact3 cross(Exact3 a, Exact3 b) {
+Exact3 cross(Exact3 a, Exact3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 // The sine of the angle between two vectors. The angles measured here are so small that the sine is
 // as good as the angle.
-inline double angle(Exact3 a, Exact3 b) {
+double angle(Exact3 a, Exact3 b) {
     return (length(cross(a, b)) / (length(a) * length(b))).high;
 }
 
 // ---- Pixel mappings
 
-inline Vec2 subtract_late(const Camera& c, int column, int row, Vec2 offset) {
+Vec2 subtract_late(const Camera& c, int column, int row, Vec2 offset) {
     const Real right = (static_cast<Real>(column) + offset.x) / static_cast<Real>(c.width);
     const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height);
     return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
 }
-inline Vec2 width_minus_one(const Camera& c, int column, int row, Vec2 offset) {
+Vec2 width_minus_one(const Camera& c, int column, int row, Vec2 offset) {
     const Real right = (static_cast<Real>(column) + offset.x) / static_cast<Real>(c.width - 1);
     const Real down = (static_cast<Real>(row) + offset.y) / static_cast<Real>(c.height - 1);
     return {(right - Real(0.5)) * c.viewport.width, (Real(0.5) - down) * c.viewport.height};
 }
 // Without the half pixel that leads to a pixel's middle: this looks symmetric, but is half a pixel
 // off at both edges.
-inline Vec2 posts_of_a_fence(const Camera& c, int column, int row, Vec2 offset) {
+Vec2 posts_of_a_fence(const Camera& c, int column, int row, Vec2 offset) {
     return width_minus_one(c, column, row, {offset.x - Real(0.5), offset.y - Real(0.5)});
 }
 
-inline Exact3 exact_viewport_point(const Camera& c, int column, int row, Vec2 offset) {
+Exact3 exact_viewport_point(const Camera& c, int column, int row, Vec2 offset) {
     const DoubleDouble width = c.width, height = c.height;
     const DoubleDouble x = DoubleDouble(column) + DoubleDouble(offset.x) - width / 2;
     const DoubleDouble y = height / 2 - DoubleDouble(row) - DoubleDouble(offset.y);
@@ -116,7 +117,7 @@ void measure_mapping(study::Report& report, const char* variant) {
 
 // ---- Rays
 
-inline Vec3 direction(const Camera& camera, Vec2 p) {
+Vec3 direction(const Camera& camera, Vec2 p) {
     return camera.basis.to_world({p.x, p.y, -1});
 }
 
@@ -208,7 +209,7 @@ void measure_rays(study::Report& in_pixels, study::Report& in_ulp, const char* v
 
 // ---- The basis
 
-inline rt::Basis normalize_first(Vec3 from, Vec3 at, Vec3 up) {
+rt::Basis normalize_first(Vec3 from, Vec3 at, Vec3 up) {
     const Vec3 w = rt::normalize(from - at);
     const Vec3 right = rt::cross(rt::normalize(up), w);
     if (right == Vec3{}) return rt::orthonormal_basis(w);
@@ -251,7 +252,7 @@ void measure_look_at(study::Report& report, const char* variant) {
     }
 }
 
-inline void run(study::Report& report) {
+void run(study::Report& report) {
     measure_mapping<rt::pixel_to_viewport>(report, "as written");
     measure_mapping<subtract_late>(report, "1/2 subtracted late");
     measure_mapping<width_minus_one>(report, "(i + 1/2) / (width - 1)");
@@ -296,4 +297,7 @@ inline void run(study::Report& report) {
     measure_pixels<posts_of_a_fence>(report, "i / (width - 1)");
 }
 
+}  // namespace
 }  // namespace camera_study
+
+void (*const app::program_study)(study::Report&) = camera_study::run;

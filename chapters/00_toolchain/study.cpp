@@ -1,6 +1,6 @@
-#pragma once
 // What accuracy costs when numbers are added up, and what memory costs.
 
+#include <app/run.hpp>
 #include <functional>
 #include <rt/rng.hpp>
 #include <study/double_double.hpp>
@@ -12,10 +12,11 @@
 #include "sums.hpp"
 
 namespace toolchain {
+namespace {
 
 using study::DoubleDouble;
 
-inline void study_sums(study::Report& report) {
+void study_sums(study::Report& report) {
     std::vector<Real> terms(10'000'000);
     Rng rng{3, 1};
     for (Real& term : terms) term = rng.uniform();
@@ -70,7 +71,7 @@ inline void study_sums(study::Report& report) {
     }
 }
 
-inline void study_steps(study::Report& report) {
+void study_steps(study::Report& report) {
     for (const Steps& steps : measure_steps()) {
         const auto add = [&](const char* variant, double time) {
             report.add({.study = "Steps through memory",
@@ -88,7 +89,7 @@ inline void study_steps(study::Report& report) {
     }
 }
 
-inline void study_objects(study::Report& report) {
+void study_objects(study::Report& report) {
     for (const Objects& objects :
          {measure_objects<16>(), measure_objects<256>(), measure_objects<4096>()}) {
         const auto add = [&](const char* variant, double calls, double time) {
@@ -107,10 +108,13 @@ inline void study_objects(study::Report& report) {
     }
 }
 
-inline void run_study(study::Report& report) {
+void run_study(study::Report& report) {
     study_sums(report);
     study_steps(report);
     study_objects(report);
 }
 
+}  // namespace
 }  // namespace toolchain
+
+void (*const app::program_study)(study::Report&) = toolchain::run_study;

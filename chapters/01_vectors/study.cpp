@@ -1,6 +1,6 @@
-#pragma once
 // What accuracy costs: five ways to scale a vector to length 1.
 
+#include <app/run.hpp>
 #include <array>
 #include <cmath>
 #include <rt/length.hpp>
@@ -12,32 +12,33 @@
 #include <vector>
 
 namespace vectors_study {
+namespace {
 
 using rt::Real, rt::Vec3, study::DoubleDouble;
 
 // The way of most textbooks: one division, then three products.
-inline Vec3 by_reciprocal_root(Vec3 v) {
+Vec3 by_reciprocal_root(Vec3 v) {
     return v * (1 / std::sqrt(dot(v, v)));
 }
 
 // Three divisions instead: each component is rounded once less.
-inline Vec3 by_root(Vec3 v) {
+Vec3 by_root(Vec3 v) {
     return v / std::sqrt(dot(v, v));
 }
 
 // Always scales the vector first, even when that is not needed.
-inline Vec3 by_scaled_root(Vec3 v) {
+Vec3 by_scaled_root(Vec3 v) {
     return by_root(rt::split_scale(v).v);
 }
 
 // The standard library's length, which does its own scaling.
-inline Vec3 by_hypot(Vec3 v) {
+Vec3 by_hypot(Vec3 v) {
     return v / std::hypot(v.x, v.y, v.z);
 }
 
 // The largest error of a component, in units in the last place. The reference has twice the digits
 // of double; its vector is scaled by a power of two, which changes no digit of the direction.
-inline double error_of(Vec3 computed, Vec3 v) {
+double error_of(Vec3 computed, Vec3 v) {
     const Vec3 s = rt::split_scale(v).v;
     const DoubleDouble x{static_cast<double>(s.x)}, y{static_cast<double>(s.y)},
         z{static_cast<double>(s.z)};
@@ -49,7 +50,7 @@ inline double error_of(Vec3 computed, Vec3 v) {
 
 // The error in a picture that shows directions d as colors (d + 1) / 2. A direction
 // that is not finite is black.
-inline double error_in_a_pixel(const std::vector<Vec3>& vectors, Vec3 (*normalize)(Vec3)) {
+double error_in_a_pixel(const std::vector<Vec3>& vectors, Vec3 (*normalize)(Vec3)) {
     double sum = 0;
     for (const Vec3 v : vectors) {
         const Vec3 found = normalize(v), s = rt::split_scale(v).v;
@@ -68,7 +69,7 @@ inline double error_in_a_pixel(const std::vector<Vec3>& vectors, Vec3 (*normaliz
     return std::sqrt(sum / (3 * static_cast<double>(vectors.size())));
 }
 
-inline void run(study::Report& report) {
+void run(study::Report& report) {
     struct Variant {
         const char* name;
         Vec3 (*normalize)(Vec3);
@@ -115,4 +116,7 @@ inline void run(study::Report& report) {
     for (const study::Row& row : in_a_pixel) report.add(row);
 }
 
+}  // namespace
 }  // namespace vectors_study
+
+void (*const app::program_study)(study::Report&) = vectors_study::run;

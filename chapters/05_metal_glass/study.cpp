@@ -1,7 +1,7 @@
-#pragma once
 // What accuracy costs: reflectance, refraction, fuzz, the depth limit, and the choice of a
 // material.
 
+#include <app/run.hpp>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -20,15 +20,16 @@
 #include "virtual_material.hpp"
 
 namespace metal_glass_study {
+namespace {
 
 using namespace rt;
 using study::DoubleDouble;
 
-inline DoubleDouble wide(Real x) {
+DoubleDouble wide(Real x) {
     return static_cast<double>(x);
 }
 
-inline std::string with_index(const char* name, double index) {
+std::string with_index(const char* name, double index) {
     char text[64];
     std::snprintf(text, sizeof text, "%s, n = %g", name, index);
     return text;
@@ -36,13 +37,13 @@ inline std::string with_index(const char* name, double index) {
 
 // The classic mistake: Schlick's formula with the cosine on the light's own
 // side, whichever side that is.
-inline Real schlick_by_inner_cosine(Real cosine, Real eta) {
+Real schlick_by_inner_cosine(Real cosine, Real eta) {
     const Real r = (1 - eta) / (1 + eta), x = 1 - cosine;
     return r * r + (1 - r * r) * (x * x) * (x * x) * x;
 }
 
 // Fresnel's equations, computed with twice the digits of double.
-inline double exact_reflectance(Real cosine, Real eta) {
+double exact_reflectance(Real cosine, Real eta) {
     const DoubleDouble c = wide(cosine), e = wide(eta), one = 1;
     const DoubleDouble squared = one - e * e * (one - c) * (one + c);
     if (squared.high < 0) return 1;
@@ -59,7 +60,7 @@ struct Reflectance {
 
 // Work to be timed: all cosines from 0 to 1.
 constexpr int cosines = 2048;
-inline study::Work all_cosines(Real (*function)(Real, Real), Real eta) {
+study::Work all_cosines(Real (*function)(Real, Real), Real eta) {
     return [=] {
         Real sum = 0;
         for (int i = 1; i <= cosines; ++i) sum += function(static_cast<Real>(i) / cosines, eta);
@@ -67,7 +68,7 @@ inline study::Work all_cosines(Real (*function)(Real, Real), Real eta) {
     };
 }
 
-inline void add_reflectance(study::Report& report) {
+void add_reflectance(study::Report& report) {
     const std::array<double, 6> indices{1.1, 1.3, 1.5, 1.7, 2.0, 2.5};
     const auto error = [](Real (*function)(Real, Real), Real cosine, Real eta) {
         return std::abs(static_cast<double>(function(cosine, eta)) -
@@ -112,7 +113,7 @@ inline void add_reflectance(study::Report& report) {
 
 // A ball of glass, as the strip below the picture shows it: both the reflected and the refracted
 // ray are followed at each surface, so that nothing is random.
-inline std::vector<Color> draw_ball(double index, Real (*reflectance)(Real, Real)) {
+std::vector<Color> draw_ball(double index, Real (*reflectance)(Real, Real)) {
     const SphereList ball{{{{{0, 0, 0}, 1}, 0}}};
     const Camera camera =
         make_camera({{0, Real(0.4), 5}, {0, 0, 0}, {0, 1, 0}, radians(26)}, 48, 48);
@@ -126,7 +127,7 @@ inline std::vector<Color> draw_ball(double index, Real (*reflectance)(Real, Real
     return pixels;
 }
 
-inline void add_pixel_errors(study::Report& report) {
+void add_pixel_errors(study::Report& report) {
     for (const double index : {1.1, 1.5, 2.4}) {
         const auto truth = draw_ball(index, fresnel_reflectance);
         for (const Reflectance& way :
@@ -139,7 +140,7 @@ inline void add_pixel_errors(study::Report& report) {
 }
 
 // What most textbooks do: like rt::refract, but without its second look near the critical angle.
-inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Real eta) {
+std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Real eta) {
     const Real cosine = -dot(incoming, normal);
     const Vec3 along = eta * (incoming + cosine * normal);
     const Real squared_cosine = 1 - dot(along, along);
@@ -148,7 +149,7 @@ inline std::optional<Vec3> refract_without_doubt(Vec3 incoming, Vec3 normal, Rea
 }
 
 // Every sine comes from a cross product, so that near the critical angle no second look is needed.
-inline std::optional<Vec3> refract_by_cross(Vec3 incoming, Vec3 normal, Real eta) {
+std::optional<Vec3> refract_by_cross(Vec3 incoming, Vec3 normal, Real eta) {
     const Vec3 across = cross(normal, incoming);
     const Real sine = length(across);
     const Real excess = std::fma(eta, sine, Real(-1));
@@ -158,7 +159,7 @@ inline std::optional<Vec3> refract_by_cross(Vec3 incoming, Vec3 normal, Real eta
 
 // The sine of the angle between a unit vector n and a vector v of nearly length 1, with twice the
 // digits of double.
-inline DoubleDouble exact_sine(Vec3 v, Vec3 n) {
+DoubleDouble exact_sine(Vec3 v, Vec3 n) {
     const auto difference = [](Real a, Real b, Real c, Real d) {
         return wide(a) * wide(b) - wide(c) * wide(d);
     };
@@ -171,13 +172,13 @@ struct Refraction {
     const char* name;
     std::optional<Vec3> (*refract)(Vec3, Vec3, Real);
 };
-inline constexpr std::array<Refraction, 3> refractions{{{"textbook", refract_without_doubt},
-                                                        {"cross products", refract_by_cross},
-                                                        {"rt::refract", rt::refract}}};
+constexpr std::array<Refraction, 3> refractions{{{"textbook", refract_without_doubt},
+                                                 {"cross products", refract_by_cross},
+                                                 {"rt::refract", rt::refract}}};
 
 // Adds a row whose cost is the time of a refraction.
-inline void add_refraction_row(study::Report& report, const study::Row& row, const Refraction& way,
-                               const std::vector<Vec3>& lights, Vec3 n, Real eta) {
+void add_refraction_row(study::Report& report, const study::Row& row, const Refraction& way,
+                        const std::vector<Vec3>& lights, Vec3 n, Real eta) {
     const auto refract_all = [=] {
         Vec3 sum;
         for (const Vec3 v : lights)
@@ -187,7 +188,7 @@ inline void add_refraction_row(study::Report& report, const study::Row& row, con
     report.add(row, refract_all, static_cast<double>(lights.size()));
 }
 
-inline void add_refraction(study::Report& report) {
+void add_refraction(study::Report& report) {
     const Mat4 tilt = multiply(rotation_x(1), rotation_z(1));
     const Vec3 n = normalize(transform_vector(tilt, {0, 1, 0}));
     for (const double sine : {0.001, 0.01, 0.1, 0.3, 0.6, 0.9, 0.99}) {
@@ -252,21 +253,21 @@ inline void add_refraction(study::Report& report) {
 
 // Three ways to deal with fuzz that points below the surface. Each returns
 // nothing for absorbed light.
-inline std::optional<Vec3> fuzz_absorbed(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
+std::optional<Vec3> fuzz_absorbed(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
     const Vec3 d =
         normalize(reflect(incoming, normal) + fuzz * uniform_direction(random_place(random)));
     if (dot(d, normal) <= 0) return {};
     return d;
 }
-inline std::optional<Vec3> fuzz_drawn_again(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
+std::optional<Vec3> fuzz_drawn_again(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
     for (;;)
         if (const auto d = fuzz_absorbed(incoming, normal, fuzz, random)) return d;
 }
-inline std::optional<Vec3> fuzz_folded(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
+std::optional<Vec3> fuzz_folded(Vec3 incoming, Vec3 normal, Real fuzz, Rng& random) {
     return metal_direction(incoming, normal, fuzz, random_place(random));
 }
 
-inline void add_fuzz(study::Report& report) {
+void add_fuzz(study::Report& report) {
     struct Way {
         const char* name;
         std::optional<Vec3> (*sample)(Vec3, Vec3, Real, Rng&);
@@ -318,7 +319,7 @@ std::vector<Color> draw(const World& world, const Materials& materials, const En
     return pixels;
 }
 
-inline double mean_difference(const std::vector<Color>& a, const std::vector<Color>& b) {
+double mean_difference(const std::vector<Color>& a, const std::vector<Color>& b) {
     double sum = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
         sum += static_cast<double>(std::abs(a[i].g - b[i].g));
@@ -327,7 +328,7 @@ inline double mean_difference(const std::vector<Color>& a, const std::vector<Col
 
 // Glass in glass: a ball of glass contains a ball of diamond, which contains a bubble. All depths
 // use the same random numbers, so the pictures differ only by the paths that were cut off.
-inline void add_depth(study::Report& report) {
+void add_depth(study::Report& report) {
     const SphereList world{{{{{0, 0, 0}, 1}, 0},
                             {{{Real(0.1), 0, 0}, Real(0.75)}, 1},
                             {{{Real(0.25), 0, 0}, Real(0.35)}, 2}}};
@@ -357,8 +358,8 @@ inline void add_depth(study::Report& report) {
     report.time_in_turns();
 }
 
-inline void add_choice_row(study::Report& report, const char* study, const char* variant, int kinds,
-                           double difference, double ns) {
+void add_choice_row(study::Report& report, const char* study, const char* variant, int kinds,
+                    double difference, double ns) {
     report.add({.study = study,
                 .variant = variant,
                 .x = static_cast<double>(kinds),
@@ -371,8 +372,8 @@ inline void add_choice_row(study::Report& report, const char* study, const char*
 
 // Draws the program's scene twice: with its materials as values, and as objects with a virtual
 // function.
-inline void add_choice_in_paths(study::Report& report, const scene::Scene& evening,
-                                const classic::Materials& objects) {
+void add_choice_in_paths(study::Report& report, const scene::Scene& evening,
+                         const classic::Materials& objects) {
     const View view{{0, Real(2.9), 12}, {0, Real(0.85), 0}, {0, 1, 0}, radians(19)};
     const Quality quality{4, 12, 1};
     std::vector<Color> values, classes;
@@ -388,8 +389,8 @@ inline void add_choice_in_paths(study::Report& report, const scene::Scene& eveni
 
 // Times the choice alone: nothing but scatter() on a list of hits, which are on metal alone, or on
 // all materials of the scene in random order.
-inline void add_choice_alone(study::Report& report, const scene::Scene& evening,
-                             const classic::Materials& objects) {
+void add_choice_alone(study::Report& report, const scene::Scene& evening,
+                      const classic::Materials& objects) {
     const auto count = static_cast<int>(evening.set.materials.size());
     const MaterialList<Metal> alone{
         std::vector<Metal>(static_cast<std::size_t>(count), Metal{{1, 1, 1}, Real(0.3)})};
@@ -426,14 +427,14 @@ inline void add_choice_alone(study::Report& report, const scene::Scene& evening,
     add("virtual", 4, 4);
 }
 
-inline void add_choice(study::Report& report) {
+void add_choice(study::Report& report) {
     const scene::Scene evening = scene::evening();
     const classic::Materials objects = classic::from_values(evening.set);
     add_choice_in_paths(report, evening, objects);
     add_choice_alone(report, evening, objects);
 }
 
-inline void run(study::Report& report) {
+void run(study::Report& report) {
     add_reflectance(report);
     add_refraction(report);
     add_fuzz(report);
@@ -442,4 +443,7 @@ inline void run(study::Report& report) {
     add_pixel_errors(report);
 }
 
+}  // namespace
 }  // namespace metal_glass_study
+
+void (*const app::program_study)(study::Report&) = metal_glass_study::run;
