@@ -115,6 +115,7 @@ if(NOT TINYOBJ_INCLUDE_DIR)
   set(TINYOBJ_INCLUDE_DIR ${tinyobj_SOURCE_DIR})
 endif()
 target_include_directories(course_tinyobj SYSTEM INTERFACE ${TINYOBJ_INCLUDE_DIR})
+target_compile_definitions(course_tinyobj INTERFACE TINYOBJLOADER_USE_DOUBLE)
 
 # COURSE_PYTHON, for the tests that read C++ with libclang, if COURSE_PYTHON_HAS_CLANG: /usr/bin/python3 may have the
 # libclang that another python3 lacks.

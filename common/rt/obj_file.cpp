@@ -1,8 +1,4 @@
-// The only file that compiles the implementation of the library that reads OBJ files.
-#define TINYOBJLOADER_IMPLEMENTATION
-#define TINYOBJLOADER_USE_DOUBLE
 #include <tiny_obj_loader.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
