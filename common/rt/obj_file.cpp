@@ -1,4 +1,5 @@
 #include <tiny_obj_loader.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
