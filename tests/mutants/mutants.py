@@ -459,6 +459,11 @@ def limit(process, seconds):
             resource.prlimit(process.pid, kind, (most, most))
 
 
+def escaped(name):
+    """A test case's name, as Catch2 takes it on the command line."""
+    return re.sub(r"([\\\[\],*])", r"\\\1", name)
+
+
 def time_of_children():
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     return used.ru_utime + used.ru_stime
@@ -479,6 +484,8 @@ class Answer:
         self.place.mkdir(parents=True, exist_ok=True)
         is_library = any(f.name == "answer.cpp" for f in map(pathlib.Path, (c["file"] for c in self.compiles)))
         self.result = self.place / (f"libanswer.{exercise}.so" if is_library else f"answer.{exercise}")
+        self.slow = []  # test cases
+        self.likely = []  # quick test cases that stopped mutants, the last first
 
     def words(self, command, edited):
         """The words that compile a source, with the edited folder first, but for the source and the object."""
@@ -529,7 +536,13 @@ class Answer:
             except subprocess.TimeoutExpired:
                 process.kill()
                 return None
-        return said if process.returncode == 0 else None
+        if process.returncode == 0:
+            return said
+        failed = re.search(r"^-{79}\n(.*)\n", said, re.M)  # of a long name, the first line
+        if failed and not any(name.startswith(failed[1]) for name in self.slow):
+            name = f'"{escaped(failed[1])}*"'
+            self.likely = [name] + [other for other in self.likely if other != name]
+        return None
 
     def measure(self, words):
         """Runs these test cases on the solution. Returns what it prints, None if it fails, and the arguments with which
@@ -546,17 +559,22 @@ class Answer:
             return False
         self.parts = [whole]
         times = re.findall(r"^([\d.]+) s: (.*)$", said, re.M)
-        slow = [re.sub(r"([\\\[\],*])", r"\\\1", name) for seconds, name in times if float(seconds) > 0.2]
+        slow = [name for seconds, name in times if float(seconds) > 0.2]
         if not 0 < len(slow) < len(times):
             return True
-        quick = self.measure(["".join(f'~"{name}"' for name in slow)])
-        rest = self.measure([",".join(f'"{name}"' for name in slow)])
+        self.slow = slow
+        quick = self.measure(["".join(f'~"{escaped(name)}"' for name in slow)])
+        rest = self.measure([",".join(f'"{escaped(name)}"' for name in slow)])
         self.parts = [quick[1], rest[1]]
         return quick[0] is not None and rest[0] is not None
 
-    def passes(self, number):
-        """Do all test cases pass?"""
-        return all(self.run(number, *part) is not None for part in self.parts)
+    def passes(self, number, should=False):
+        """Do all test cases pass? Unless they should, those that stopped the mutants before are tried first: most often, one
+        of them stops this one, too."""
+        parts = self.parts
+        if self.likely and not should:
+            parts = [([",".join(self.likely[:3])], *parts[0][1:]), *parts]
+        return all(self.run(number, *part) is not None for part in parts)
 
 
 class Exercise:
@@ -655,7 +673,7 @@ def run_exercise(exercise, build, float_too, log):
     allowed = exercise.allowed()
     surviving, stopped = [], 0
     for mutant in chosen:
-        if answer.passes(mutant.number):
+        if answer.passes(mutant.number, should=mutant.key in allowed):
             surviving.append(mutant)
         else:
             stopped += 1
@@ -670,7 +688,7 @@ def run_exercise(exercise, build, float_too, log):
         lonely = Answer(build, exercise.id, "double", single.parent)
         if lonely.compile(single):
             continue  # it is left out
-        lonely.parts = answer.parts
+        lonely.parts, lonely.slow = answer.parts, answer.slow
         if lonely.passes(0):
             surviving.append(mutant)
         else:
