@@ -18,12 +18,12 @@ TEST_CASE("an image keeps each pixel in its place", "[image]") {
 }
 
 TEST_CASE("an image can start filled, and copies are independent", "[image]") {
-    const Image white{2, 2, {1, 1, 1}};
-    Image copy = white;
-    CHECK(copy == white);
+    const Image filled{2, 2, {1, 1, 1}};
+    Image copy = filled;
+    CHECK(copy == filled);
     copy.at(0, 0) = {};
-    CHECK_FALSE(copy == white);
-    CHECK(white.at(0, 0) == Color{1, 1, 1});
+    CHECK_FALSE(copy == filled);
+    CHECK(filled.at(0, 0) == Color{1, 1, 1});
 }
 
 TEST_CASE("an image of the same pixels in another shape is another image", "[image]") {
