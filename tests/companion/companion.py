@@ -113,8 +113,9 @@ mkdir -p check
     grep -q 'wrong\|awaits' "$file" && echo 'exit 1'
     [ $narrow = no ] || echo 'exit 1'
     echo 'exit 0'
-} >check/check.$id
-chmod +x check/check.$id
+} >check/check.$id.$$
+chmod +x check/check.$id.$$
+mv check/check.$id.$$ check/check.$id  # another process may run it
 """
 
 STUB = '#pragma once\n// Exercise 01.%d.\ninline int f() {\n    return rt::todo("01.%d");\n}\n'

@@ -538,7 +538,7 @@ class Answer:
                 return None
         if process.returncode == 0:
             return said
-        failed = re.search(r"^-{79}\n(.*)\n", said, re.M)  # of a long name, the first line
+        failed = re.search(r"^-{79}\n(\d\d\.\d [ -~]*)\n", said, re.M)  # of a long name, the first line
         if failed and not any(name.startswith(failed[1]) for name in self.slow):
             name = f'"{escaped(failed[1])}*"'
             self.likely = [name] + [other for other in self.likely if other != name]
