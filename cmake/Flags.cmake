@@ -12,8 +12,8 @@ target_compile_options(course_flags INTERFACE
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # g++ 12 and 13 warn about "text" + std::string where nothing is wrong (GCC bug 105651).
   target_compile_options(course_flags INTERFACE -Wno-restrict)
-  # With -O1 it would not clear the upper halves of vector registers, which makes functions of the standard library slow:
-  # checkpoints would take twice as long.
+  # With -O1 alone, it does not clear the upper halves of vector registers before it calls the standard library, whose
+  # functions then are slow: some checkpoints take more than twice as long.
   target_compile_options(course_flags INTERFACE -fexpensive-optimizations)
 endif()
 # What systems do differently is in folders of these names.

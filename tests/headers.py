@@ -21,6 +21,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 BODIES = {
     "chapters/00_toolchain/sums_body.hpp": "included in a namespace, once for each instruction set",
     "chapters/10_batches/lanes_body.hpp": "included in a namespace, once for each width",
+    "chapters/10_batches/narrow_lanes.hpp": "for a file that names its namespaces",
     "common/app/windows/held.hpp": "includes a header that only Windows has",
     "common/app/windows/processor_time.hpp": "includes a header that only Windows has",
     "chapters/00_toolchain/by_hand/parts/shade.hpp": "an example, compiled by a script of its own",

@@ -569,7 +569,7 @@ class Answer:
         return quick[0] is not None and rest[0] is not None
 
     def passes(self, number, should=False):
-        """Do all test cases pass? Unless they should, those that stopped the mutants before are tried first: most often, one
+        """Do all test cases pass? Unless they should, those that stopped earlier mutants are tried first: most often, one
         of them stops this one, too."""
         parts = self.parts
         if self.likely and not should:
