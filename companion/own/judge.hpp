@@ -44,7 +44,7 @@ struct JudgeRequest {
     int cores = 2;               // physical cores
     double patience = 60;        // seconds for one picture
     int crowd = 10'000;          // spheres in the scenes on which all cores are measured
-    double tree_gain = 10;       // how many times as fast as --list a tree must be; 0: any
+    double tree_gain = 10;       // how many times as fast as --list a tree must be
     std::string only_line{};     // judge only this line; empty: all lines
     // If not null, it keeps our pictures for the programs that are judged next.
     OurPictures* ours = nullptr;

@@ -3,6 +3,7 @@
 
 #include <companion/own/judge.hpp>
 #include <companion/own/own_program.hpp>
+#include <optional>
 
 namespace companion {
 
@@ -33,8 +34,9 @@ struct Turns {
     double first, second;  // medians, in seconds
     double ratio;          // the median over the turns of first / second
 };
+// Ends as soon as it is certain whether the median of this many ratios is at least what is asked.
 Turns in_turns(const Timed& first, const Timed& second, const std::string& scene, Clock clock,
-               int turns, const std::string& mesh = {});
+               int turns, std::optional<double> asked = {}, const std::string& mesh = {});
 
 // A crowd in so large a picture that drawing takes the wanted time. Then the time for reading the
 // scene does not matter.
