@@ -79,6 +79,8 @@ SMALL = ["--quiet", "--width", "96", "--height", "54"]
 SLOW = {"tracer.06", "tracer.07"}
 # Here each plain answer alone would take minutes in all: all together must do.
 LONG = {"06_threads", "07_bvh", "08_effects"}
+# Open stars change these pictures: a comparison with the solution's would take half a minute to see that.
+CHANGED = {"08_effects_solution", "11_samples_solution", "12_triangles_solution"}
 
 
 def plain_files(chapter):
@@ -169,9 +171,10 @@ def run_program(build, folder, overlay, target, may_differ=()):
     if built.returncode:
         return built.stdout + built.stderr, False
     if target.endswith("_solution") and not target.startswith("certify."):
-        wrong = differs(build, program, target)
+        has_stars = any((overlay / name).exists() for name in may_differ)
+        wrong = "another picture" if has_stars and target in CHANGED else differs(build, program, target)
         is_other = bool(wrong)
-        if wrong and any((overlay / name).exists() for name in may_differ):
+        if wrong and has_stars:
             rest = folder / f"{overlay.name}_without_open_stars"
             shutil.copytree(overlay, rest)
             for name in may_differ:
