@@ -22,6 +22,10 @@ constexpr std::int64_t pixel_count(const Tile& tile) {
     return std::int64_t{tile.right - tile.left} * (tile.bottom - tile.top);
 }
 
+constexpr bool contains(const Tile& tile, int x, int y) {
+    return tile.left <= x && x < tile.right && tile.top <= y && y < tile.bottom;
+}
+
 // A picture that is cut into square tiles, starting at its top left pixel. The tiles at the right
 // and lower edges may be smaller. If a side of the picture is 0, there are no tiles.
 struct TileGrid {

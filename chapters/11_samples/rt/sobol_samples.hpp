@@ -2,11 +2,13 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <rt/color_sum.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/rng.hpp>
 #include <rt/sobol.hpp>
 #include <rt/sobol_columns.hpp>
+#include <rt/tile.hpp>
 
 namespace rt {
 
@@ -77,12 +79,21 @@ class SobolRandom {
     std::uint32_t sample_ = 0, number_ = 0;
 };
 
+// The first of the two pixels in a row whose middles a sample lies between: -1 for the pixel to the
+// left of the sample's own, or 0 for its own. The same holds for the two pixels in a column.
+inline int first_of_two(Real offset) {
+    return offset < Real(0.5) ? -1 : 0;
+}
+
 // Samples of a pixel from Sobol's sequence (given): points first ... first + count - 1 of the
 // sequence, scrambled for this seed and pixel. See JitteredSamples.
 struct SobolSamples {
     std::uint64_t seed = 1;
     int count = 1;
     std::uint32_t first = 0;
+    // If there is a tile, only samples less than one pixel from the middle of one of its pixels,
+    // both across and down: a tent makes no others count.
+    std::optional<Tile> near{};
 
     // Calls visit(parts...) for each sample of a pixel, with the arguments that make its
     // SobolRandom.
@@ -90,8 +101,10 @@ struct SobolSamples {
     void each(int column, int row, const Visit& visit) const {
         const SobolRandom::Pixel pixel{seed, column, row};
         const SobolTable& points = SobolTable::get();
+        const bool all = !near || contains(*near, column, row);
         for (std::uint32_t i = 0; i < static_cast<std::uint32_t>(count); ++i)
-            visit(pixel, first + i, points[first + i]);
+            if (all || is_near(column, row, {pixel, first + i, points[first + i]}))
+                visit(pixel, first + i, points[first + i]);
     }
     // Calls keep(offset, light) for each sample: `offset` is its position in the pixel, and `light`
     // is the result of path(ray, random).
@@ -109,6 +122,14 @@ struct SobolSamples {
         ColorSum sum;
         each(camera, column, row, path, [&](Vec2, const Color& light) { sum.add(light); });
         return sum.mean(count);
+    }
+
+  private:
+    bool is_near(int column, int row, SobolRandom random) const {
+        const Vec2 offset = random_place(random);
+        const int left = column + first_of_two(offset.x), top = row + first_of_two(offset.y);
+        return left + 1 >= near->left && left < near->right && top + 1 >= near->top &&
+               top < near->bottom;
     }
 };
 

@@ -45,7 +45,7 @@ class TentSums {
 
     // Adds a sample at this offset in pixel (x, y).
     void add(int x, int y, Vec2 offset, const Color& light) {
-        const int left = around(offset.x), top = around(offset.y);
+        const int left = first_of_two(offset.x), top = first_of_two(offset.y);
         const Real right = offset.x - Real(0.5) - static_cast<Real>(left),
                    bottom = offset.y - Real(0.5) - static_cast<Real>(top);
         const Real rest = 1 - right;
@@ -74,7 +74,6 @@ class TentSums {
     static constexpr int border = 2;
 
     Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }
-    static int around(Real offset) { return offset < Real(0.5) ? -1 : 0; }
     // Adds to a pixel's sum and to that of its right neighbor.
     static void add(Sum& sum, const Eight& terms) {
         double* const numbers = sum.data();
@@ -90,9 +89,10 @@ class TentSums {
 
 // Draws a tile, filtered with a tent (given), path by path or in batches.
 template <class AnyRenderer>
-void draw_with_tent(const AnyRenderer& renderer, const SobolSamples& samples, const Tile& tile,
+void draw_with_tent(const AnyRenderer& renderer, SobolSamples samples, const Tile& tile,
                     Image& image, std::uint64_t& rays) {
     TentSums sums{tile};
+    samples.near = tile;
     for_each_pixel(sums.sampled(), [&](int x, int y) {
         const auto keep = [&](Vec2 offset, const Color& light) { sums.add(x, y, offset, light); };
         renderer(KeptSamples<decltype(keep)>{samples, keep}, x, y, rays);
@@ -100,9 +100,10 @@ void draw_with_tent(const AnyRenderer& renderer, const SobolSamples& samples, co
     sums.write(image);
 }
 template <Effects effects>
-void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, const SobolSamples& samples,
+void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, SobolSamples samples,
                     const Tile& tile, Image& image, std::uint64_t& rays) {
     TentSums sums{tile};
+    samples.near = tile;
     renderer.each(
         {samples}, sums.sampled(), rays,
         [&](int x, int y, Vec2 offset, const Color& light) { sums.add(x, y, offset, light); });
