@@ -2,6 +2,7 @@
 // each part of the work takes.
 
 #include <app/run.hpp>
+#include <numeric>
 #include <rt/sort_by_kind.hpp>
 #include <study/report.hpp>
 #include <study/timing.hpp>
@@ -186,9 +187,11 @@ void study_parts(study::Report& report, const StudyScene& scene, const Recorded&
     BatchRenderer<scene_effects> renderer{scene.ready, study_quality};
     std::uint64_t drawn = 0;
     Rng random{10, 2};
-    std::vector<std::uint8_t> kinds;
-    while (kinds.size() < batch_size) kinds.push_back(static_cast<std::uint8_t>(random() % 4));
-    std::vector<std::uint32_t> sorted(kinds.size());
+    std::vector<std::uint8_t> kinds;  // as masks
+    while (kinds.size() < batch_size)
+        kinds.push_back(static_cast<std::uint8_t>(1u << random() % 4));
+    std::vector<std::uint32_t> list(batch_size), sorted(2 * batch_size);
+    std::iota(list.begin(), list.end(), 0u);
     const auto rays_count = static_cast<double>(found.size());
     auto ns = study::in_turns_ns(
         {[&] { drawn = draw_singly(scene, image); }, [&] { singly(tree, far_away); },
@@ -198,7 +201,7 @@ void study_parts(study::Report& report, const StudyScene& scene, const Recorded&
          [&] { box_tests.search(known); }, [&] { box_tests.search(nowhere); },
          [&] {
              for (std::size_t i = 0; i < found.size(); i += batch_size)
-                 study::keep(sort_by_kind<4>(kinds, sorted));
+                 study::keep(sort_by_kind<4>(list, kinds.data(), sorted.data()));
          },
          [&] {
              for (std::size_t i = 0; i < found.size(); ++i)

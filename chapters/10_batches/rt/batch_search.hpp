@@ -30,6 +30,9 @@ class BatchSearch {
     // Makes room for this many rays. Rays that are ready stay ready.
     void make_room(std::size_t rays);
 
+    // The list of the first `count` paths; there must be room for their rays.
+    PathList all(std::size_t count) const { return PathList{all_}.first(count); }
+
     // Makes the rays of up to pack_size paths ready for box tests; the first of these paths has the
     // number `from`. The rays end at t. Unused lanes write to the rays that come next, so make rays
     // ready in ascending order.
@@ -161,7 +164,7 @@ inline void BatchSearch::make_ready(std::size_t from, const Vec3Pack& origin,
 inline void BatchSearch::make_ready(std::span<const PathRecord> paths) {
     make_room(paths.size());
     for (std::size_t i = 0; i < paths.size(); i += pack_size) {
-        const PathPack pack{PathList{all_}.first(paths.size()).subspan(i)};
+        const PathPack pack{all(paths.size()).subspan(i)};
         const RayPack rays = load_rays(paths.data(), pack);
         make_ready(i, rays.origin, rays.direction, rays.t);
     }
@@ -172,8 +175,8 @@ inline void BatchSearch::find_nearest(std::span<PathRecord> paths) {
     paths_ = paths.data();
     // Rays of one octant meet the planes of all boxes in the same order.
     for (octant_ = 0; octant_ < octants; ++octant_) {
-        const std::size_t count = filter_list(PathList{all_}.first(paths.size()), octants_.data(),
-                                              octant_, lists_.data());
+        const std::size_t count =
+            filter_list(all(paths.size()), octants_.data(), octant_, lists_.data());
         if (count > 0)
             descend(*this, 0, {lists_.data(), count}, {lists_.data() + count, masks_.data()});
     }

@@ -23,7 +23,7 @@ class PlainBatch {
           search_{scene.world},
           next_(paths.size()),
           kinds_(most_paths),
-          sorted_(paths.size()) {
+          sorted_(2 * most_paths) {
         randoms.reserve(most_paths);
         search_.make_room(most_paths);
     }
@@ -48,8 +48,8 @@ class PlainBatch {
         search_.find_nearest(std::span{paths}.first(count));
         for (std::size_t i = 0; i < count; ++i)
             kinds_[i] = surfaces_.kinds[static_cast<std::size_t>(paths[i].sphere + 1)];
-        const auto first = sort_by_kind<types + 1>(std::span{kinds_}.first(count),
-                                                   std::span{sorted_}.first(count));
+        const auto first =
+            sort_by_kind<types + 1>(search_.all(count), kinds_.data(), sorted_.data());
         left_ = 0;
         const auto of_kind = [&](std::size_t kind) {
             return PathList{sorted_}.subspan(first[kind], first[kind + 1] - first[kind]);
@@ -127,7 +127,7 @@ class PlainBatch {
     BatchSearch search_;
     std::vector<PathRecord> next_;
     std::size_t left_ = 0;
-    std::vector<std::uint8_t> kinds_;
+    std::vector<std::uint8_t> kinds_;  // of each path, as a mask: bit k for kind k
     std::vector<std::uint32_t> sorted_;
 };
 

@@ -54,8 +54,10 @@ template <class Materials>
 struct Surfaces {
     using Types = MaterialTypes<Materials>;
     static constexpr std::size_t sky = std::tuple_size_v<typename Types::All>;
+    static_assert(sky < 8, "a kind is a bit of a byte");
     std::vector<Surface> all;
-    std::vector<std::uint8_t> kinds;      // [0]: sky, for no sphere; [i + 1]: sphere i's type
+    // Bit k for kind k. [0]: the sky, for no sphere; [i + 1]: the type of sphere i's material.
+    std::vector<std::uint8_t> kinds;
     std::vector<std::int32_t> materials;  // each sphere's, as in SceneSphere
 
     Surfaces(const WideTree& tree, const Materials& set) {
@@ -74,12 +76,12 @@ struct Surfaces {
   private:
     void resize(std::size_t size) {
         all.resize(size);
-        kinds.resize(size + 1, sky);
+        kinds.resize(size + 1, std::uint8_t{1} << sky);
         materials.resize(size);
     }
     void set_material(std::size_t number, const Materials& set) {
         const auto& element = set.materials[static_cast<std::size_t>(materials[number])];
-        kinds[number + 1] = static_cast<std::uint8_t>(Types::index(element));
+        kinds[number + 1] = static_cast<std::uint8_t>(1u << Types::index(element));
         if constexpr (std::tuple_size_v<typename Types::All> == 1)
             describe(all[number], element);
         else

@@ -2,22 +2,21 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <rt/path_list.hpp>
 #include <rt/todo.hpp>
-#include <span>
 
 namespace rt {
 
-// Exercise 10.5. Sorts the numbers i = 0, 1, 2 ... by their kinds, kinds[i]. Every kind is less
-// than `count`, which is 1 to 256. The numbers of kind k are written in ascending order to
-// `sorted`, from index result[k] to result[k + 1] - 1. If there is no number of kind k, result[k]
-// and result[k + 1] are the same. The last element, result[count], is the length of `kinds` and of
-// `sorted`.
-// Star: the time grows in proportion to the length of the list: count, add up, put each number in
-// its place. The list may be empty, or hold more than a hundred thousand numbers.
+// Exercise 10.5. Sorts the paths of a list by kind. masks[i] has one bit set: bit k if list[i] is
+// of kind k. There are `count` kinds, 1 to 8. The paths of kind k are written to `to`, in the same
+// order as in the list, from index result[k] to result[k + 1] - 1. If no path is of kind k, both
+// numbers are the same; result[count] is the length of the list. `to` has room for twice as many
+// paths as the list has.
+// Star: the list may be empty, or hold more than a hundred thousand paths.
 template <std::size_t count>
-std::array<std::size_t, count + 1> sort_by_kind(std::span<const std::uint8_t> kinds,
-                                                std::span<std::uint32_t> sorted) {
-    return rt::todo("10.5", kinds, sorted);
+std::array<std::size_t, count + 1> sort_by_kind(PathList list, const std::uint8_t* masks,
+                                                std::uint32_t* to) {
+    return rt::todo("10.5", list, masks, to);
 }
 
 }  // namespace rt

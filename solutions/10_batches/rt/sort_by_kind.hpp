@@ -2,23 +2,23 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <rt/filter_list.hpp>
+#include <rt/path_list.hpp>
 
 namespace rt {
 
-// Sorts the numbers i = 0, 1, 2 ... by their kinds, kinds[i], each of which is less than `count`.
-// The numbers of kind k are written in ascending order to `sorted`, from index result[k] to
-// result[k + 1] - 1. The function takes linear time: it counts first, and then puts each number in
-// its place. `sorted` is as long as `kinds`.
+// Sorts the paths of a list by kind. masks[i] has one bit set: bit k if list[i] is of kind k, of
+// `count` kinds (1 to 8). The paths of kind k are written to `to`, in the same order as in the
+// list, from index result[k] to result[k + 1] - 1. `to` has room for twice as many paths as the
+// list has. The function goes through the list once for each kind, eight paths at a time. A
+// counting sort goes through it only twice, but path by path, and each path must wait until the
+// path before it has been counted: it takes longer.
 template <std::size_t count>
-std::array<std::size_t, count + 1> sort_by_kind(std::span<const std::uint8_t> kinds,
-                                                std::span<std::uint32_t> sorted) {
+std::array<std::size_t, count + 1> sort_by_kind(PathList list, const std::uint8_t* masks,
+                                                std::uint32_t* to) {
     std::array<std::size_t, count + 1> first{};
-    for (const std::uint8_t kind : kinds) ++first[kind + std::size_t{1}];
-    for (std::size_t kind = 0; kind < count; ++kind) first[kind + 1] += first[kind];
-    auto next = first;
-    for (std::size_t i = 0; i < kinds.size(); ++i)
-        sorted[next[kinds[i]]++] = static_cast<std::uint32_t>(i);
+    for (unsigned kind = 0; kind < count; ++kind)
+        first[kind + 1] = first[kind] + filter_list(list, masks, kind, to + first[kind]);
     return first;
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 #include <array>
 #include <cstddef>
-#include <cstdint>
-#include <span>
+#include <rt/path_list.hpp>
 
 namespace answer {
 
 template <std::size_t count>
-std::array<std::size_t, count + 1> sort_by_kind(std::span<const std::uint8_t> kinds,
-                                                std::span<std::uint32_t> sorted);
+std::array<std::size_t, count + 1> sort_by_kind(rt::PathList list, const std::uint8_t* masks,
+                                                std::uint32_t* to);
 
 }  // namespace answer
 
