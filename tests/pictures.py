@@ -453,7 +453,7 @@ RECIPES = {
     "hard-race-plain": race("06.4_shared_generator"),
     "hard-race-stable": race(),
     "accuracy-jittered": equal_time("--spp", "16"),
-    "accuracy-together": equal_time("--spp", "33", "--batches", "--sampler", "sobol", "--filter", "tent"),
+    "accuracy-together": equal_time("--spp", "36", "--batches", "--sampler", "sobol", "--filter", "tent"),
 }
 for scene in ("cover", "fog", "galaxy", "glass", "haze", "lens", "lights", "matte", "metal", "motion", "own", "planets",
               "textures"):
