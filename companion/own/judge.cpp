@@ -137,7 +137,7 @@ void judge_sanitized(const Trial& trial) {
                     std::string{"sh build.sh -O1 -g "} + option +
                         " builds a program that reports the fault with its line."},
                    [&, option = option](JudgedLine& line) {
-                       // Lines are told by -g1, too, which compiles in half the time.
+                       // -g1 is enough to name a line, and compiles in less time.
                        OwnProgram own{trial.request.folder, {"-O1", "-g1", option}};
                        own.before = at_fixed_addresses();
                        own.may_start_others = true;

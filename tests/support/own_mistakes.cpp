@@ -30,13 +30,13 @@ std::string part_of(const std::string& line) {
     return part;
 }
 
-// A line that compares times. Others need no fast program, and compiling a slow one takes half the
-// time.
+// True for a line that compares times. The other lines need no fast program, and compiling a slow
+// one takes half the time.
 bool is_timed(const std::string& line) {
     return line.find(" against ") != std::string::npos;
 }
 
-// The headers that a source includes, compiled once: half of the time that a program takes.
+// The headers that a source includes, compiled once for all programs. They take half of the time.
 class PrecompiledLibrary {
   public:
     explicit PrecompiledLibrary(const fs::path& source) {

@@ -127,8 +127,8 @@ class PlainBatch {
     BatchSearch search_;
     std::vector<PathRecord> next_;
     std::size_t left_ = 0;
-    std::vector<std::uint8_t> kinds_;  // of each path, as a mask: bit k for kind k
-    std::vector<std::uint32_t> sorted_;
+    std::vector<std::uint8_t> kinds_;    // of each path, as a mask: bit k for kind k
+    std::vector<std::uint32_t> sorted_;  // has the room that sort_by_kind asks for
 };
 
 }  // namespace rt

@@ -91,8 +91,8 @@ struct SobolSamples {
     std::uint64_t seed = 1;
     int count = 1;
     std::uint32_t first = 0;
-    // If there is a tile, only samples less than one pixel from the middle of one of its pixels,
-    // both across and down: a tent makes no others count.
+    // If set, only the samples that a tent lets count for a pixel of this tile: those less than one
+    // pixel from its middle, both across and down.
     std::optional<Tile> near{};
 
     // Calls visit(parts...) for each sample of a pixel, with the arguments that make its

@@ -36,9 +36,9 @@ class TentSums {
         : tile_{tile},
           sums_{tile.right - tile.left + 2 * border, tile.bottom - tile.top + 2 * border} {}
 
-    // The pixels that are sampled, including those just outside of the tile. A pixel has the same
-    // samples in every tile that uses it, and they are added in the picture's order, so that a
-    // pixel's color does not depend on tiles or threads.
+    // The pixels that are sampled, including those just outside of the tile. A pixel's samples are
+    // the same for every tile, and they are added in the picture's order, so that a pixel's color
+    // does not depend on tiles or threads.
     Tile sampled() const {
         return {tile_.left - 1, tile_.top - 1, tile_.right + 1, tile_.bottom + 1};
     }

@@ -47,6 +47,15 @@ TEST_CASE("a filtered picture does not depend on its tiles") {
     for (const int side : {1, 4, 16}) CHECK(filtered<true>(side, 5) == expected);
 }
 
+TEST_CASE("only samples that count for a pixel of the tile are followed") {
+    Image image = Canvas<Color>{width, height};
+    std::uint64_t rays = 0;
+    constexpr int samples = 64;  // a quarter of them in each quarter of a pixel
+    draw_with_tent(Painter<false>{}, SobolSamples{1, samples}, {7, 5, 8, 6}, image, rays);
+    // All of the pixel itself, half of four neighbors, and a quarter of four more.
+    CHECK(rays == 4 * samples);
+}
+
 TEST_CASE("even light stays as it is, up to the border") {
     const Image image = filtered<false>(8, 3);
     for (const Color& color : image.pixels()) CHECK(std::abs(color.r - 2) < 8 * epsilon);
