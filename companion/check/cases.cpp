@@ -84,8 +84,13 @@ const TestCase* Tested::ended_in() const {
 }
 
 std::string Tested::trouble() const {
-    if (got_no_further())
-        return "it computed for " + std::to_string(ended_in()->computed) + " s without finishing";
+    if (got_no_further()) {
+        const auto [what, seconds] = ended_in()->waited > 0
+                                         ? std::pair{"waited", ended_in()->waited}
+                                         : std::pair{"computed", ended_in()->computed};
+        return std::string{"it "} + what + " for " + std::to_string(seconds) +
+               " s without finishing";
+    }
     return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
 }
 

@@ -16,10 +16,16 @@ struct Tested {
     // The test case in which the program crashed or was stopped; null if the program ran to its
     // end.
     const TestCase* ended_in() const;
-    // Whether the test program ended itself because the tested code computed for too long.
-    bool got_no_further() const { return ended_in() && ended_in()->computed > 0; }
+    // Whether the test program ended itself because the tested code computed or waited for too
+    // long.
+    bool got_no_further() const {
+        return ended_in() && (ended_in()->computed > 0 || ended_in()->waited > 0);
+    }
     bool was_stopped() const { return result.timed_out || result.too_much || got_no_further(); }
-    bool waited() const { return result.timed_out && 2 * result.cpu_seconds < result.seconds; }
+    bool waited() const {
+        return (ended_in() && ended_in()->waited > 0) ||
+               (result.timed_out && 2 * result.cpu_seconds < result.seconds);
+    }
     bool crashed() const { return ended_in() || result.signal != 0; }
     // What ended the program, in words for the learner.
     std::string trouble() const;

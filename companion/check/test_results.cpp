@@ -66,6 +66,8 @@ void read_event(const json& event, Report& report) {
         test.memory = text_of(event, "memory");
     } else if (what == "computes") {
         test.computed = event.value("seconds", 0);
+    } else if (what == "waits") {
+        test.waited = event.value("seconds", 0);
     } else if (what == "ends") {
         test.ended = true;
         test.passed = event.value("passed", false);

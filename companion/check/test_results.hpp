@@ -23,8 +23,9 @@ struct TestCase {
     bool ended = false;  // false: it was still running when the program ended
     std::string crash;   // how the program crashed in it, "SIGSEGV - Segmentation ..."
     std::string
-        memory;        // if it died of a use of memory, where that was: "null", "stack", or unknown
-    int computed = 0;  // for how many seconds, if it was ended for computing too long
+        memory;  // if it died of a use of memory, where that was: "null", "stack", or unknown
+    // For how many seconds, if it was ended for computing or for waiting too long.
+    int computed = 0, waited = 0;
     std::string output;  // what it printed
     std::vector<FailedAssertion> failures;
 };

@@ -282,8 +282,8 @@ std::string what_is_wrong(const Checked& checked) {
               [&](const Endless& endless) {
                   return "It was stopped: " + endless.cause + where(endless.tests) +
                          (endless.waits
-                              ? "\n  It waited most of that time. Does it wait for a lock that is "
-                                "never released, or for a thread that never ends?\n"
+                              ? "\n  Does it wait for a lock that is never released, or for a "
+                                "thread that never ends?\n"
                               : "\n  Which loop or recursion never ends?\n") +
                          warned(checked) + before_that(failing_cases(endless.tests));
               },

@@ -556,7 +556,7 @@ class Companion(unittest.TestCase):
         said = self.course("check", code=1)
         self.assertLess(time.time() - started, 20)
         self.assertIn("It was stopped: it timed out after 4 s in the test case\n  01.1 the answer is right\n"
-                      "  It waited most of that time", said)
+                      "  Does it wait for a lock that is never released", said)
         self.assertRegex(said, r"\+ 01.2 .* done")
 
     def test_check_tells_an_endless_loop(self):
@@ -1273,6 +1273,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.write("one", "right\n")
         shutil.rmtree(self.root / "build")
         self.assertNotIn("is incomplete", self.script("check", "01.1"))
+        self.assertIn("01.1", self.script())  # without words: the list
         self.assertNotIn("onfiguring", self.script("check", "01.1"))
         build = self.root / "build"
         rules = "build.ninja" if (build / "build.ninja").exists() else "Makefile"

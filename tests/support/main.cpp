@@ -57,7 +57,7 @@ void tell_crash(const char* signal, const char* memory) {
 const bool tells_crashes = (checkpoint::tell_crashes(tell_crash, catch_tells_signals), true);
 #endif
 
-// Each step of the test cases. Without one, the tested code is in an endless loop.
+// Each step of the test cases. Without one, the tested code is stuck.
 volatile std::sig_atomic_t step = 0;
 void note_progress() {
     step = step + 1;
@@ -65,13 +65,17 @@ void note_progress() {
 
 void end_when_stuck() {
 #ifndef RT_SANITIZED  // where everything takes many times as long
-    static char event[128];
-    constexpr int most_seconds = 3;
+    static char computes[128], waits[128];
+    constexpr int seconds = 3;
     const bool is_secret = *checkpoint::secret_word();
-    std::snprintf(event, sizeof event, "\n%s%s{\"event\":\"computes\",\"seconds\":%d}\n",
-                  checkpoint::secret_word(), is_secret ? " " : "", most_seconds);
-    checkpoint::end_when_stuck(step, most_seconds, event,
-                               is_secret ? checkpoint::events_file : checkpoint::standard_output);
+    const auto write = [&](char(&event)[128], const char* name) {
+        std::snprintf(event, sizeof event, "\n%s%s{\"event\":\"%s\",\"seconds\":%d}\n",
+                      checkpoint::secret_word(), is_secret ? " " : "", name, seconds);
+    };
+    write(computes, "computes");
+    write(waits, "waits");
+    const int file = is_secret ? checkpoint::events_file : checkpoint::standard_output;
+    checkpoint::end_when_stuck(step, {file, seconds, computes, waits});
 #endif
 }
 

@@ -9,7 +9,7 @@ namespace checkpoint {
 
 // Runs work() where it may crash, with the usual 8 MiB of stack or less and for at most this many
 // seconds, and returns its text; "the program ended" if it did not come to its end, "an exception"
-// if it threw one.
+// if it threw one. If it computes nothing for 3 seconds, it is ended, too.
 std::string in_own_process(const std::function<std::string()>& work, unsigned seconds = 20,
                            std::size_t stack = std::size_t{8} << 20);
 

@@ -22,12 +22,17 @@ inline constexpr int events_file = 3, standard_output = 1;
 using Tell = void (*)(const char* signal, const char* memory);
 void tell_crashes(Tell tell, bool catch_tells_signals);
 
-// From now on the program is ended where `step` stays the same for this many seconds of its
-// processor time: the tested code is in an endless loop. Then this event is written to the file,
-// and the end is told as that by a signal. What counts is the time of all threads, so a busy
-// machine does not matter.
-void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const char* event,
-                    int file);
+// From now on the program is ended when `step` stays the same for this many seconds. If its threads
+// compute for so long, taken together, the tested code is in an endless loop. If no thread computes
+// and no child process is left, they all wait for something that never comes. Then this event is
+// written to the file, and the end is told as that by a signal. A busy machine does not matter.
+// (On Windows, waiting is not noticed.)
+struct Stuck {
+    int file;
+    int seconds;
+    const char *computes, *waits;  // the events
+};
+void end_when_stuck(const volatile std::sig_atomic_t& step, const Stuck& stuck);
 
 // Calls this function when the program ends by exit(), except in a process that it forked.
 void at_exit(void (*call)());

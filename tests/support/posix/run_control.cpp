@@ -2,11 +2,14 @@
 
 #include <sys/resource.h>
 #include <sys/time.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 
 extern char** environ;
 
@@ -64,21 +67,56 @@ void report(int signal, siginfo_t* info, void*) {
 
 constexpr int looks_a_second = 4;
 const volatile std::sig_atomic_t* watched = nullptr;
-std::sig_atomic_t seen = 0;
-const char* stuck_event = "";
-int stuck_file = 0, most_looks = 0, idle_looks = 0;
+Stuck stuck;
 
-void look(int) {
-    idle_looks = *watched == seen ? idle_looks + 1 : 0;
-    seen = *watched;
-    // The first look may come right after the last step.
-    if (idle_looks <= most_looks) return;
-    write_line(stuck_file, stuck_event, std::strlen(stuck_event));
-    std::signal(SIGPROF, SIG_IGN);
-    // The rest allocates memory. If the tested code was doing that, it never ends, either.
-    std::signal(SIGALRM, SIG_DFL);
-    ::alarm(1);
-    std::raise(SIGTERM);  // which is told with the hints of the test case
+// Counts looks in a row that find the program stuck at the same step.
+struct Looks {
+    std::sig_atomic_t seen = 0;
+    int stuck_looks = 0;
+
+    void count(bool is_stuck, const char* event) {
+        stuck_looks = is_stuck && *watched == seen ? stuck_looks + 1 : 0;
+        seen = *watched;
+        // The first look may come right after the last step.
+        if (stuck_looks <= stuck.seconds * looks_a_second) return;
+        write_line(stuck.file, event, std::strlen(event));
+        std::signal(SIGPROF, SIG_IGN);
+        // The rest allocates memory. If the tested code was doing that, it never ends, either.
+        std::signal(SIGALRM, SIG_DFL);
+        ::alarm(1);
+        std::raise(SIGTERM);  // which is told with the hints of the test case
+    }
+};
+Looks at_processor_time, at_time;
+
+void look_after_computing(int) {
+    at_processor_time.count(true, stuck.computes);
+}
+
+bool has_children() {
+    siginfo_t info{};
+    return ::waitid(P_ALL, 0, &info, WEXITED | WNOHANG | WNOWAIT) == 0;
+}
+
+void look_after_time(int) {
+    static std::clock_t before = 0;
+    const int error = errno;
+    const std::clock_t now = std::clock();
+    // A thread that looks a hundred times a second whether it may go on computes for 1 % of the
+    // time.
+    const bool is_idle = now - before < CLOCKS_PER_SEC / looks_a_second / 20 && !has_children();
+    before = now;
+    at_time.count(is_idle, stuck.waits);
+    errno = error;
+}
+
+void look_often(int timer, int signal, void (*look)(int)) {
+    struct sigaction action {};
+    action.sa_handler = look;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, &action, nullptr);
+    const itimerval often{{0, 1'000'000 / looks_a_second}, {0, 1'000'000 / looks_a_second}};
+    setitimer(timer, &often, nullptr);
 }
 
 pid_t process = 0;
@@ -111,18 +149,11 @@ void tell_crashes(Tell tell, bool catch_tells_signals) {
         stack_end = reinterpret_cast<std::uintptr_t>(&here) - limit.rlim_cur;
 }
 
-void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const char* event,
-                    int file) {
+void end_when_stuck(const volatile std::sig_atomic_t& step, const Stuck& when) {
     watched = &step;
-    most_looks = seconds * looks_a_second;
-    stuck_event = event;
-    stuck_file = file;
-    struct sigaction action {};
-    action.sa_handler = look;
-    action.sa_flags = SA_RESTART;
-    sigaction(SIGPROF, &action, nullptr);
-    const itimerval often{{0, 1'000'000 / looks_a_second}, {0, 1'000'000 / looks_a_second}};
-    setitimer(ITIMER_PROF, &often, nullptr);
+    stuck = when;
+    look_often(ITIMER_PROF, SIGPROF, look_after_computing);
+    look_often(ITIMER_REAL, SIGALRM, look_after_time);
 }
 
 void at_exit(void (*call)()) {

@@ -113,30 +113,25 @@ void start(LPTHREAD_START_ROUTINE body, void* what) {
     ::CloseHandle(::CreateThread(nullptr, 0, body, what, 0, nullptr));
 }
 
-struct Watched {
-    const volatile std::sig_atomic_t* step;
-    double seconds;
-    const char* event;
-    int file;
-};
-Watched watched;
+const volatile std::sig_atomic_t* watched = nullptr;
+Stuck stuck;
 
 double processor_seconds_of_all() {
     return app::processor_seconds(::GetProcessTimes, ::GetCurrentProcess());
 }
 
 DWORD WINAPI look(void*) {
-    std::sig_atomic_t seen = *watched.step;
+    std::sig_atomic_t seen = *watched;
     double since = processor_seconds_of_all();
     for (;;) {
         ::Sleep(250);
         const double now = processor_seconds_of_all();
-        if (*watched.step != seen) {
-            seen = *watched.step;
+        if (*watched != seen) {
+            seen = *watched;
             since = now;
         }
-        if (now - since <= watched.seconds) continue;
-        write_line(watched.file, watched.event, std::strlen(watched.event));
+        if (now - since <= stuck.seconds) continue;
+        write_line(stuck.file, stuck.computes, std::strlen(stuck.computes));
         end_with("SIGTERM", "", ended_from_outside);
     }
 }
@@ -163,9 +158,9 @@ void tell_crashes(Tell tell, bool) {
     std::signal(SIGABRT, on_abort);
 }
 
-void end_when_stuck(const volatile std::sig_atomic_t& step, int seconds, const char* event,
-                    int file) {
-    watched = {&step, static_cast<double>(seconds), event, file};
+void end_when_stuck(const volatile std::sig_atomic_t& step, const Stuck& when) {
+    watched = &step;
+    stuck = when;
     start(look, nullptr);
 }
 
