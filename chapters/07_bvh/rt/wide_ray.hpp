@@ -17,6 +17,11 @@ template <class Number>
 inline constexpr Real wide_margin =
     std::max(hit_margin, 8 * static_cast<Real>(std::numeric_limits<Number>::epsilon()));
 
+// The smallest component of a direction whose largest one is 1; smaller ones are raised to it,
+// which moves the ray by far less than the margin. If 1 / direction were infinite, no plane along
+// its axis would count, and the search would visit many boxes that the ray misses.
+inline constexpr Real least_component = Real(0x1p-60);
+
 // A ray made ready for the boxes of a WideNode (given): its direction is scaled so that the largest
 // component is 1 or -1, which keeps t in the range of Number.
 template <class Number>
@@ -42,7 +47,12 @@ RT_INLINED WideRay<Number> wide_ray(const Ray& ray) {
     WideRay<Number> wide;
     wide.scale = max_component(ray.direction);
     const Real margin = wide_margin<Number> * max_component(ray.origin);
-    const std::array<Real, 3> d{ray.direction.x, ray.direction.y, ray.direction.z},
+    const Real least = least_component * wide.scale;
+    const auto raised = [least](Real x) {
+        return std::abs(x) < least ? std::copysign(least, x) : x;
+    };
+    const std::array<Real, 3> d{raised(ray.direction.x), raised(ray.direction.y),
+                                raised(ray.direction.z)},
         origin{ray.origin.x, ray.origin.y, ray.origin.z};
     // No branch: no processor can predict whether a random direction runs forward.
     for (std::size_t k = 0; k < 3; ++k) {

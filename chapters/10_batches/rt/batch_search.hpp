@@ -129,8 +129,10 @@ inline void BatchSearch::make_ready(std::size_t from, const Vec3Pack& origin,
                                     const Vec3Pack& direction, Pack t) {
     const Pack scale = max_component(direction);
     const Pack margin = wide_margin<float> * max_component(origin);
+    const Pack least = least_component * scale;
+    const auto raised = [least](Pack x) { return abs(x) < least ? copysign(least, x) : x; };
     const Pack origins[]{origin.x, origin.y, origin.z},
-        directions[]{direction.x, direction.y, direction.z};
+        directions[]{raised(direction.x), raised(direction.y), raised(direction.z)};
     std::array<Pack, 12> numbers{};  // of a BoxRay
     PackMask octant{};
     for (std::size_t k = 0; k < 3; ++k) {

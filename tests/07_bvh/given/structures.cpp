@@ -105,6 +105,31 @@ TEST_CASE("rays along an axis as nearly as numbers can", "[given][rays]") {
     CHECK(wrong == 0);
 }
 
+TEST_CASE("a ray along an axis visits as few boxes as its neighbors", "[given][rays]") {
+    Spheres spheres = random_spheres(10'000);
+    for (SceneSphere& s : spheres) s.shape.radius /= 20;
+    const All all{spheres};
+    const auto visits = [&](const rt::Vec3& direction) {
+        rt::Rng places{76, 7};
+        int visited = 0;
+        const auto add = [&](const auto& found) {
+            visited += found.box_tests + found.shape_tests;
+        };
+        for (int i = 0; i < 1000; ++i) {
+            const rt::Vec3 at = spheres[places() % spheres.size()].shape.center;
+            const Ray ray{at - 4 * direction, direction};
+            add(all.wide_float.search(ray, {}));
+            add(all.wide.search(ray, {}));
+        }
+        return visited;
+    };
+    const Real near_0 = real(1e-9);
+    for (const rt::Vec3 axis : {rt::Vec3{1, 0, 0}, rt::Vec3{0, -1, 0}, rt::Vec3{0, 0, 1}}) {
+        const rt::Vec3 beside = axis + near_0 * rt::Vec3{1, 1, 1};
+        CHECK(visits(axis) < 1.1 * visits(beside));
+    }
+}
+
 TEST_CASE("the search ends even for invalid rays, and for rays from very far away",
           "[given][rays]") {
     const Real nan = std::numeric_limits<Real>::quiet_NaN(), inf = rt::infinity;
