@@ -180,6 +180,9 @@ TEST_CASE("01.7 to_object and to_world undo each other", "[01.7]") {
     CHECK(rt::to_world(placement, {1, 1, 1}) == Vec3{6, 12, -8});
     CHECK(rt::to_object(placement, {6, 12, -8}) == Vec3{1, 1, 1});
     CHECK(rt::to_object(placement, {4, 8, -16}) == Vec3{0, 0, 0});
+    // The same linear part at another place: nothing may be kept from the calls before.
+    const Mat4 moved = rt::multiply(rt::translation({0, 0, 8}), rt::scaling({2, 4, 8}));
+    CHECK(rt::to_object(moved, {2, 4, 16}) == Vec3{1, 1, 1});
 }
 
 TEST_CASE("01.7 any map that has an inverse is inverted", "[01.7]") {

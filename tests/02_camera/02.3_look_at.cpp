@@ -372,6 +372,13 @@ TEST_CASE("02.3 even the smallest angle between view and up determines the basis
     }
 }
 
+TEST_CASE("02.3 even the smallest distance is a view", "[02.3][hard]") {
+    const Real tiny = std::numeric_limits<Real>::denorm_min();
+    REQUIRE(refusal({0, 0, tiny}, {0, 0, 0}, {0, 1, 0}) == "nothing was thrown");
+    CHECK(rt::look_at({0, 0, tiny}, {0, 0, 0}, {0, 1, 0}).w == Vec3{0, 0, 1});
+    CHECK(rt::look_at({0, 0, tiny}, {0, 0, 0}, {0, 1, 0}).u == Vec3{1, 0, 0});
+}
+
 TEST_CASE("02.3 look_at refuses a view without a direction or without an up", "[02.3][hard]") {
     INFO(
         "look_at must throw std::domain_error.\nHint: normalize throws it if from - at has no "

@@ -107,6 +107,14 @@ TEST_CASE("02.5 every pixel is visited in any tile of a picture", "[02.5]") {
     }
 }
 
+TEST_CASE("02.5 visit may itself go over the pixels of a tile", "[02.5]") {
+    int calls = 0;
+    rt::for_each_pixel({0, 0, 2, 2}, [&](int, int) {
+        if (calls < 100) rt::for_each_pixel({5, 5, 6, 8}, [&](int, int) { ++calls; });
+    });
+    CHECK(calls == 12);
+}
+
 TEST_CASE("02.5 no call is made for a tile without pixels", "[02.5][hard]") {
     for (const Tile& tile :
          {Tile{}, Tile{5, 5, 5, 5}, Tile{5, 0, 5, 3}, Tile{0, 5, 3, 5}, Tile{6, 0, 5, 3},

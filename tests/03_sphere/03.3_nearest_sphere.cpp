@@ -220,3 +220,11 @@ TEST_CASE("03.3 the nearest sphere is found in tiny and huge scenes", "[03.3][ha
     const Real most = for_this_precision<Real>(5, 30);
     for (int i = 0; i < 3000; ++i) check_any(rng, std::pow(Real(10), rng.uniform(-most, most)));
 }
+
+TEST_CASE("03.3 a list may have many spheres", "[03.3]") {
+    Spheres spheres(70'000, beside);
+    for (const std::size_t number : {std::size_t{300}, std::size_t{69'999}}) {
+        spheres[number] = sphere_at(number == 300 ? 9 : 4);
+        check(spheres, forward, ahead, by_comparing(spheres, forward, ahead));
+    }
+}

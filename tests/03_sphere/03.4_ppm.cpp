@@ -196,6 +196,8 @@ TEST_CASE("03.4 no line is longer than 70 characters", "[03.4][hard]") {
 }
 
 TEST_CASE("03.4 a color that is not finite is refused", "[03.4][hard]") {
+    const Real largest = std::numeric_limits<Real>::max();  // finite, though a sum of two is not
+    CHECK(bytes_of(Image{1, 1, {largest, largest, largest}}) == std::vector<int>{255, 255, 255});
     CHECK(bytes_of(Image{1, 1, white}).size() == 3);  // a color that is fine goes through
     const Real nan = std::numeric_limits<Real>::quiet_NaN();
     const auto refusal = [](const Image& image) -> std::string {

@@ -128,6 +128,22 @@ TEST_CASE("04.5 each cell gets one sample and every sample counts in the average
     }
 }
 
+TEST_CASE("04.5 many samples have a grid as fine as possible", "[04.5]") {
+    rt::Rng rng{44, 7};
+    for (const int samples : {5000, 70'000}) {
+        const int n = static_cast<int>(std::sqrt(samples));
+        std::vector<int> counts(static_cast<std::size_t>(n * n));
+        rt::pixel_average(samples, rng, [&](Vec2 offset) {
+            const int column = cell_of(offset.x, n), row = cell_of(offset.y, n);
+            if (column >= 0 && row >= 0) ++counts[static_cast<std::size_t>(row * n + column)];
+            return Color{};
+        });
+        const auto empty = std::count(counts.begin(), counts.end(), 0);
+        INFO(samples << " samples: " << empty << " of " << n << " x " << n << " cells are empty");
+        CHECK(empty < n * n / 100);  // rounding may move a few samples into the next cell
+    }
+}
+
 TEST_CASE("04.5 each sample is uniform in its cell and independent of the others", "[04.5]") {
     rt::Rng rng{44, 3};
     constexpr int pixels = 5000;

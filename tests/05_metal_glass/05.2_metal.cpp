@@ -160,7 +160,8 @@ TEST_CASE("05.2 scatter takes each parameter from the material and the hit", "[0
         const Vec3 incoming = arrival.incoming, normal = arrival.normal;
         // Often 0 or 1: no number of a material is a case of its own.
         const auto share = [&] { return rng() % 3 ? rng.uniform() : static_cast<Real>(rng() % 2); };
-        const rt::Metal metal{{share(), share(), share()}, share()};
+        const rt::Metal metal{{share(), share(), share()},
+                              i % 4 == 0 ? any_size(rng, -9, -1) : share()};
         rt::Hit hit;
         hit.front = i % 2;
         hit.normal = hit.front ? normal : -normal;
@@ -381,6 +382,16 @@ TEST_CASE("05.2 above_horizon lifts vectors along an axis for any length and nor
                           << "\nHint: least is rounding_bound(16) times the length of v, or |vx| + "
                              "|vy| + |vz|: use all three components");
         REQUIRE(cosine > 0);
+    }
+}
+
+TEST_CASE("05.2 a height of 0 is lifted to the bound for the vector's length", "[05.2][hard]") {
+    for (const Vec3 v : {Vec3{3, 4, 0}, Vec3{-1, 1, 0}, Vec3{5, 0, 0}}) {
+        const Vec3 n{0, 0, 1};
+        const Real cosine = rt::dot(rt::above_horizon(v, n), n), least = rt::rounding_bound(16);
+        INFO("above_horizon(" << text(v) << ", (0, 0, 1)) has the cosine " << text(cosine));
+        CHECK(cosine >= least * Real(0.999));
+        CHECK(cosine <= 2 * least);
     }
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <new>
 #include <numeric>
 #include <rt/compiler.hpp>
@@ -406,4 +407,23 @@ TEST_CASE("07.3 bad splits do not make the tree deep", "[07.3][hard]") {
     CHECK(levels >= rt::most_levels);
     // 64 are taken off, and halves of the other 1936 have 4 or fewer after 9 levels.
     CHECK(levels <= rt::most_levels + 10);
+}
+
+TEST_CASE("07.3 a scene may have many spheres", "[07.3]") {
+    auto boxes = rt::bounds_of(random_spheres(70'040));
+    for (std::size_t i = 0; i < 40; ++i) boxes[i] = boxes[100];  // what short numbers would find
+    std::vector<int> order;
+    for (int number = 70'000; number < 70'040; ++number) order.push_back(number);
+    const auto root = rt::build_node(std::span{order}, 70'000, std::span{boxes}, rt::split_in_half);
+    std::function<int(const rt::TreeNode&)> first = [&](const rt::TreeNode& node) {
+        return node.is_leaf() ? node.first : first(*node.left);
+    };
+    CHECK(first(*root) == 70'000);
+    CHECK(first(*root->right) == 70'020);
+    Box around;
+    for (std::size_t i = 0; i < 20; ++i)
+        around = rt::join(around, boxes[static_cast<std::size_t>(order[i])]);
+    CHECK(checkpoint::text(root->left->box) == checkpoint::text(around));
+    rt::split_in_half(std::span{order}, std::span{boxes});
+    CHECK(order_of_middles(std::span{order}, boxes) == ascending);
 }

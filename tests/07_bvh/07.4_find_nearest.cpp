@@ -392,3 +392,20 @@ TEST_CASE("07.4 many threads can search one tree at the same time", "[07.4][hard
 TEST_CASE("07.4 tree and list give the same hits in hard scenes bit for bit", "[07.4][hard]") {
     for (const NamedScene& scene : hard_scenes()) check_scene(scene.name, scene.spheres, 6000);
 }
+
+TEST_CASE("07.4 a leaf and a scene may have many spheres", "[07.4]") {
+    // One leaf at the end of a long order. Only its last sphere, with the highest number, is met.
+    constexpr int count = 70'040, in_leaf = 40;
+    Spheres spheres(count, rt::SceneSphere{{{50, 0, -5}, 1}, 0});
+    spheres.back().shape.center = {0, 0, -5};
+    std::vector<int> order(count);
+    std::iota(order.begin(), order.end(), 0);
+    rt::TreeNode leaf;
+    leaf.first = count - in_leaf;
+    leaf.count = in_leaf;
+    leaf.box = {{-99, -99, -99}, {99, 99, 99}};
+    rt::Search search{spheres, order, {{0, 0, 0}, {0, 0, -1}}, {}};
+    rt::find_nearest(leaf, search);
+    CHECK(search.nearest == count - 1);
+    CHECK(search.shape_tests == in_leaf);
+}

@@ -394,6 +394,12 @@ TEST_CASE("08.4 sampling lights and finding them by chance give equal means", "[
     room.add({{0, 0, 0}, 4}, gray_matte);
     room.add_light({{0, 2, 0}, 1}, {2, 3, 4});
     check_both_ways(room, to_floor, 5000);
+    // Rough metal, for which place.shared_density and place.density differ.
+    Lit rough;
+    rough.add(floor_ball, rt::Metal{{1, 1, 1}, Real(0.5)});
+    rough.add_light({{0, 3, 0}, 1}, {2, 3, 4});
+    check_both_ways(rough, {{Real(0.1), 1, 0}, rt::normalize(Vec3{Real(-0.1), -1, Real(0.3)})},
+                    5000);
 }
 
 TEST_CASE("08.4 sampling lights and finding them by chance give equal means in fog",

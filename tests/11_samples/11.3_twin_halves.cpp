@@ -384,6 +384,11 @@ TEST_CASE("11.3 sample counts are correct for errors and spreads of all sizes", 
     const Real bit_more =
         1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
     check_worth(4, bit_more, 1, any, {5, 5}, "a count even slightly above 4 is rounded up to 5");
+    // Finite, but more than an int or even 64 bits can hold.
+    for (const Real large : {Real(1e5), Real(1e10), Real(1e15)}) {
+        check_worth(large, large, 1, any, {most_of_all, most_of_all}, overflow_hint);
+        check_worth(large, large, 1, {3, 9}, {9, 9}, overflow_hint);
+    }
     check_worth(largest, largest, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(largest, 1, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(smallest, smallest, largest, any, {1, 1}, overflow_hint);

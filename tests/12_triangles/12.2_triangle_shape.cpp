@@ -216,3 +216,17 @@ TEST_CASE("12.2 a ray that hits the triangle meets its box", "[12.2][hard]") {
     }
     SUCCEED();
 }
+
+TEST_CASE("12.2 a mesh may have many points", "[12.2]") {
+    rt::Mesh mesh;
+    mesh.points.resize(70'003);
+    mesh.points[70'000] = {1, 2, 3}, mesh.points[70'001] = {4, 5, 6},
+    mesh.points[70'002] = {7, 8, 0};
+    mesh.triangles = {{rt::Corner{70'000}, {70'001}, {70'002}}};
+    const auto all = rt::triangles_of(mesh, 3, 100'000);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].shape.a == Vec3{1, 2, 3});
+    CHECK(all[0].shape.b == Vec3{4, 5, 6});
+    CHECK(all[0].shape.c == Vec3{7, 8, 0});
+    CHECK(all[0].number == 100'000);
+}

@@ -205,6 +205,22 @@ TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
         }
 }
 
+TEST_CASE("12.5 triangles that have normals count for their neighbors' normals", "[12.5]") {
+    // Two triangles of the same area and with the same angles at their common edge.
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    mesh.normals = {{0, 1, 0}};
+    mesh.triangles = {{Corner{0, 0}, {1, 0}, {2, 0}}, {Corner{0}, {2}, {3}}};
+    rt::add_normals(mesh);
+    for (const std::size_t k : {0, 1}) {
+        const Vec3 expected = Vec3{1, 0, 1} / std::sqrt(Real(2));
+        const Vec3 actual = normal_of(mesh, mesh.triangles[1][k]);
+        HINT(expected, actual,
+             "all triangles around the point count, even those whose own corners have normals");
+        CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
+    }
+}
+
 TEST_CASE("12.5 no triangle of a polygon with a notch lies outside the polygon", "[12.5][hard]") {
     Polygons all;
     // An arrowhead, whose third corner points inward.
@@ -267,6 +283,17 @@ TEST_CASE("12.5 normals of length 0 count as missing", "[12.5][hard]") {
             CHECK(corner.normal == (corner.point % 2 == 0 ? -1 : 1));
 }
 
+TEST_CASE("12.5 tiny and huge normals are scaled to length 1", "[12.5][hard]") {
+    for (const Real size : {for_this_precision(Real(1e-30), Real(1e-200)),
+                            for_this_precision(Real(1e30), Real(1e200))}) {
+        Polygons all = square();
+        all.normals = {{0, 0, size}};
+        all.polygons = {{{0, 0}, {1, 0}, {2, 0}, {3, 0}}};
+        const Mesh mesh = rt::make_mesh(all);
+        CHECK(normal_of(mesh, mesh.triangles[0][0]) == Vec3{0, 0, 1});
+    }
+}
+
 TEST_CASE("12.5 a cube's normals do not depend on how its sides are cut", "[12.5][hard]") {
     rt::Rng rng{125, 1};
     for (int i = 0; i < 50; ++i) {
@@ -277,11 +304,17 @@ TEST_CASE("12.5 a cube's normals do not depend on how its sides are cut", "[12.5
             point *= std::scalbn(Real(1), i - 25);
             if (i % 2 == 0) point = {point.x, 2 * point.y, 5 * point.z};
         }
+        const auto turned = [&](Vec3 p) {
+            return i % 4 < 2 ? p
+                             : Vec3{real(0.6) * p.x - real(0.8) * p.z, p.y,
+                                    real(0.8) * p.x + real(0.6) * p.z};
+        };
+        for (Vec3& point : mesh.points) point = turned(point);
         rt::add_normals(mesh);
         for (const auto& triangle : mesh.triangles)
             for (const Corner& corner : triangle) {
                 const Vec3 point = plain.points[static_cast<std::size_t>(corner.point)];
-                const Vec3 expected = point / std::sqrt(Real(3));
+                const Vec3 expected = turned(point / std::sqrt(Real(3)));
                 const Vec3 actual = normal_of(mesh, corner);
                 const bool right = rt::max_component(actual - expected) <= 16 * rt::epsilon;
                 if (right) continue;

@@ -65,6 +65,18 @@ TEST_CASE("12.6 colors are mixed between the middles of neighboring pixels", "[1
     }
 }
 
+TEST_CASE("12.6 width and height may be any numbers", "[12.6]") {
+    const Image image = numbered(5, 3);
+    for (int y = 0; y < 3; ++y)
+        for (int x = 0; x < 5; ++x)
+            check_color(image, middle(image, x, y), {static_cast<Real>(x), static_cast<Real>(y), 1},
+                        "the column before x and the one after it, modulo the width");
+    check_color(image, {0, real(0.5)}, {2, 1, 1},
+                "at the left edge, the first and the last column have the weight 1/2 each");
+    check_color(image, {real(0.5), 0}, {2, 1, 1},
+                "at the lower edge, the last and the first row have the weight 1/2 each");
+}
+
 TEST_CASE("12.6 the colors agree with an example of four pixels on paper", "[12.6]") {
     Image image{2, 2};
     image.at(0, 0) = {1, 0, 0};
