@@ -112,9 +112,7 @@ TEST_CASE("a ray along an axis visits as few boxes as its neighbors", "[given][r
     const auto visits = [&](const rt::Vec3& direction) {
         rt::Rng places{76, 7};
         int visited = 0;
-        const auto add = [&](const auto& found) {
-            visited += found.box_tests + found.shape_tests;
-        };
+        const auto add = [&](const auto& found) { visited += found.box_tests + found.shape_tests; };
         for (int i = 0; i < 1000; ++i) {
             const rt::Vec3 at = spheres[places() % spheres.size()].shape.center;
             const Ray ray{at - 4 * direction, direction};
