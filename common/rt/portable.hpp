@@ -12,8 +12,8 @@
 // The sine, the exponential and the other functions of <cmath> that libraries round differently.
 //
 // IEEE 754 fixes every bit of the result of +, -, *, /, std::sqrt and std::fma. It does not fix the
-// bits of std::sin or std::exp: each library returns one of the numbers next to the true value, and
-// may return another one on another processor. So a picture that is drawn with them depends on the
+// bits of std::sin or std::exp: each library returns a number close to the true value, and may
+// return another one on another processor. So a picture that is drawn with them depends on the
 // library. The functions here use only operations whose bits are fixed, so they return the same
 // bits everywhere.
 //

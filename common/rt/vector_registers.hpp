@@ -22,9 +22,9 @@
 #define RT_REGISTER_BYTES 16
 #endif
 
-// RT_FUSED: a * b + c for a vector a and numbers b and c. It is rounded once if the processor has
-// one instruction for that, and otherwise twice, so use it only where no bit of a picture depends
-// on it.
+// RT_FUSED: a * b + c for a vector a and numbers b and c. For eight floats it is rounded once
+// if the processor has one instruction for that. Otherwise it is rounded twice, so use it only
+// where no bit of a picture depends on it.
 #ifdef __FMA__
 template <class Vector, class Number>
 RT_INLINED Vector rt_fused(Vector a, Number b, Number c) {

@@ -71,8 +71,8 @@ WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tr
     const std::size_t place = wide.nodes.size();
     wide.nodes.emplace_back();
     WideNode<Number> node;  // not a reference: the list moves as it grows
-    // Only a ray that is not finite meets the empty box of an unused lane. It then comes to the
-    // first leaf, which always exists, and the search ends.
+    // Only a ray that is not finite, or whose origin is too large for Number, meets the empty box
+    // of an unused lane. It then also tests the first leaf, which always exists; that is harmless.
     for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, WideChild::leaf(0));
     for (std::size_t i = 0; i < parts.size(); ++i)
         node.set(i, parts[i]->box,

@@ -17,8 +17,8 @@ namespace rt {
 //
 //     ((c - s)^2 + (c + s)^2) / (4 pi fuzz^2) / (s / fuzz) = (c^2 + s^2) / (2 pi fuzz s).
 //
-// The density is 0 outside of the cone in which the sphere is seen, and grows without limit at its
-// rim.
+// The density is 0 outside of the cone in which the sphere is seen, and, if fuzz < 1, grows without
+// limit at its rim.
 inline Real lobe_density(Vec3 mirrored, Real fuzz, Vec3 direction) {
     const Real cosine = dot(mirrored, direction);
     if (!(cosine > 0)) return 0;

@@ -101,11 +101,8 @@ struct LightEnd {
 inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
     const Light& light = *chosen.light;
     const Interval way{0, chosen.sample.distance};
-    if (light.in_tree >= 0) {
-        const auto of_shape = [&](const auto& shape) { return hit_light(shape, ray, way); };
-        if (const std::optional<Real> t = std::visit(of_shape, light.shape))
-            return {*t, light.in_tree};
-    }
+    const auto of_shape = [&](const auto& shape) { return hit_light(shape, ray, way); };
+    if (const std::optional<Real> t = std::visit(of_shape, light.shape)) return {*t, light.in_tree};
     return {way.max, -1};
 }
 

@@ -29,7 +29,7 @@ auto tree_if(const std::vector<Shape>& shapes) {
 // The world of a renderer with these effects: one tree for each type of shape (given). Spheres that
 // stand still come first, because most spheres do, and because the lights are among them.
 template <Effects effects>
-auto make_world(const SceneDescription& /*scene*/, const Prepared& shapes) {
+auto make_world(const Prepared& shapes) {
     auto spheres = both(make_wide_tree(shapes.still), tree_if<effects.motion>(shapes.moving));
     return both(std::move(spheres), tree_if<effects.instances>(shapes.instances));
 }
@@ -45,7 +45,7 @@ struct RendererTypes {
     using Materials = typename RendererMaterials<effects>::Type;
     using StillCamera = Either<effects.lens, LensCamera, Camera>;
     using SceneCamera = Either<effects.motion, ShutterCamera<StillCamera>, StillCamera>;
-    using World = decltype(make_world<effects>({}, {}));
+    using World = decltype(make_world<effects>({}));
     using Lights = Either<effects.lights, SceneLights, NoLights>;
     using Medium = Either<effects.fog, FogBall, NoFog>;
     using SceneHaze = Either<effects.haze, Haze, NoHaze>;
@@ -70,7 +70,7 @@ struct ReadyScene {
 
   private:
     ReadyScene(const SceneDescription& scene, const Prepared& shapes, int width, int height)
-        : world{make_world<effects>(scene, shapes)},
+        : world{make_world<effects>(shapes)},
           materials{prepare_materials<typename Types::Materials>(scene)},
           sky{scene.sky} {
         set_camera(camera, scene.camera, width, height, !shapes.moving.empty());

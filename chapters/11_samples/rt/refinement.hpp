@@ -81,8 +81,9 @@ class Refinement {
                         static_cast<Real>(sum.second / count)};
     }
 
-    // Refines until error() is at most `target`. Each round aims at the target, or at half of the
-    // previous round's aim if that is larger (in the first round, at half of the present error).
+    // Refines until error() is at most `target`. Each round aims 3 % below the target, corrected by
+    // how far the last round missed its aim, but at half of the previous round's aim if that is
+    // larger (in the first round, at half of the present error).
     void refine_to(Real target) {
         Real aim = infinity;  // the error for which the last counts were computed
         while (!plan_.is_over()) {

@@ -57,7 +57,7 @@ class SobolRandom {
         return fraction(high_half(mix_bits(mix_bits(pixel_ + number) + sample_)));
     }
 
-    // A number in [low, high).
+    // A number in [low, high); rounding can make it equal to high, as in Rng.
     Real uniform(Real low, Real high) {
         return low + (high - low) * uniform();
     }

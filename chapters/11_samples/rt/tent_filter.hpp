@@ -36,9 +36,10 @@ class TentSums {
         : tile_{tile},
           sums_{tile.right - tile.left + 2 * border, tile.bottom - tile.top + 2 * border} {}
 
-    // The pixels that are sampled, including those just outside of the tile. A pixel's samples are
-    // the same for every tile, and they are added in the picture's order, so that a pixel's color
-    // does not depend on tiles or threads.
+    // The pixels that are sampled, including those just outside of the tile, of which only the
+    // samples that count for the tile are drawn. Each sample is the same for every tile, and
+    // samples are added in the picture's order, so that a pixel's color does not depend on tiles or
+    // threads.
     Tile sampled() const {
         return {tile_.left - 1, tile_.top - 1, tile_.right + 1, tile_.bottom + 1};
     }
@@ -69,9 +70,9 @@ class TentSums {
     using Sum = std::array<double, 4>;
     using Eight = PackOf<Real, 8>;  // for two neighboring pixels in a row
     using Sums = PackOf<double, 8>;
-    // A sample may count for a pixel this far outside of the tile. There is room for such pixels,
-    // so no test is needed.
-    static constexpr int border = 2;
+    // A sample may count for a pixel this far outside of the tile, too. There is room for such
+    // pixels, so no test is needed.
+    static constexpr int border = 1;
 
     Sum& at(int x, int y) { return sums_.at(x - tile_.left + border, y - tile_.top + border); }
     // Adds to a pixel's sum and to that of its right neighbor.

@@ -13,7 +13,7 @@ namespace rt {
 // Star: a cosine that rounding has put above 1 counts as 1. No digits are lost, however close eta
 // is to 1, except close to the critical angle: each result is off by at most rounding_bound(50) *
 // (1 + (eta cosine / c)^2), where c is the cosine of the refraction angle; Schlick's reflectance
-// may be off by five times as much. For eta = 1 nothing is reflected.
+// may be off by five times as much. The exact reflectance is 0 for eta = 1.
 
 // The cosine of the refraction angle. None at total reflection.
 inline std::optional<Real> refracted_cosine(Real cosine, Real eta) {

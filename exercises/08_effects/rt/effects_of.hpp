@@ -7,7 +7,7 @@ namespace rt {
 
 // Exercise 08.1. The effects that change the picture of this scene. The effects of materials are
 // given, except for `own`, the effect of OwnMaterial, your material from 05.6. A sphere of any
-// material may move. A sphere whose map is 0 or more is an instance.
+// material other than a light may move. A sphere whose map is 0 or more is an instance.
 // Star: leave out every effect that cannot be seen: a material that no sphere is made of, a light
 // whose radiance is 0, fog of density 0, a lens of aperture 0, a moving sphere with zero shutter
 // time. A scene without spheres may have fog and a lens.

@@ -30,10 +30,9 @@ Color direct_light(AnyRay ray, const World& world, const Lights& lights,
 }
 
 // The light that comes back along a ray in a scene with lights, with fog, or with both. It is
-// path_radiance of chapter 04, but also collects light on the way. If all paths end in black, the
-// result is darker than that of path_radiance, because the last place's sample of a light is
-// weighed against a bounce that is no longer followed. With endings in the sky, and with roulette,
-// the result is right.
+// path_radiance of chapter 04, but also collects light on the way. If all paths end in black, a
+// little light is missing: at the last place, the sample of a light is weighted as if the bounce
+// were followed, but it is not. With endings in the sky, and with roulette, the result is right.
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,
           class Ending, class Random>
 Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,

@@ -15,7 +15,7 @@ inline Real area_before(Vec3 p, Vec3 q) {
 
 // True if the edge from p to q goes around the ray counterclockwise. If the ray meets the edge
 // itself, the ray counts as moved a little along x, and far less along y, so that it hits exactly
-// one of the two triangles with this edge.
+// one of two triangles on different sides of this edge.
 inline bool goes_around(Vec3 p, Vec3 q, Real area) {
     if (area != 0) return area > 0;
     return p.y != q.y ? p.y > q.y : p.x < q.x;
@@ -24,7 +24,8 @@ inline bool goes_around(Vec3 p, Vec3 q, Real area) {
 // The hit of a ray and a triangle at a t within the interval, from either side. Returns none for a
 // triangle without area. The point of the ray at t is off the triangle's plane by at most 16
 // epsilon times the largest coordinate of a corner as seen from the ray's origin. A ray through an
-// edge that two triangles share hits exactly one of them, as long as the areas neither overflow nor
+// edge that two triangles share hits exactly one of them if they lie on different sides of the edge
+// as the ray sees it, and otherwise both or none, as long as the areas neither overflow nor
 // underflow.
 inline std::optional<TriangleHit> hit_triangle(const Triangle& triangle, const Ray& ray,
                                                Interval within) {

@@ -21,7 +21,8 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
 // The normal to use for a mirror: `smooth` itself, if a mirror with this normal reflects `incoming`
 // to the side of the triangle that the light came from. Otherwise, `smooth` is bent until the
 // mirror direction runs along the triangle. All vectors have length 1; `flat` is on the side of
-// `smooth`. The result is `flat` if `incoming` runs along the triangle itself.
+// `smooth`. If `incoming` runs along the triangle itself, there is no such normal, and the result
+// is `flat`, unless `smooth` will do.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     const Real side = dot(incoming, flat) > 0 ? Real(-1) : Real(1);  // where the light comes from
     const Vec3 up = side * flat, mirrored = reflect(incoming, smooth);
