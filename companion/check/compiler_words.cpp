@@ -66,6 +66,8 @@ const Habit habits[]{
     {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
      "If the name is new, the line needs its type, such as `const Real x = ...;`. If the variable "
      "exists already, is its name misspelled, or is it declared in another block?"},
+    {"operand of comma|expression result unused", "^[\\s\\d|]*\\w+, \\w+ = ",
+     "C++ assigns one value at a time. To swap two, write `std::swap(a, b);`."},
     {"left.* operand of comma|expression result unused|no viable conversion|could not "
      "convert|cannot convert",
      "return \\(?[^(){}]+, [^(){}]+\\)?;",
@@ -73,7 +75,7 @@ const Habit habits[]{
      "{a, "
      "b};`."},
     {"deduced conflicting|no matching function",
-     "std::(max|min)\\(-?\\d+,|std::(max|min)\\(.*, -?\\d+\\)",
+     "std::(max|min)\\(-?[\\d.]+,|std::(max|min)\\(.*, -?[\\d.]+\\)",
      "Both values must have the same type: `Real(0)` instead of 0."},
     {"(max|min)\\((double|float|int|const double&), (double|float|int), (double|float|int)\\)|"
      "no matching function|called object type|deduced",
@@ -99,6 +101,24 @@ const Meaning meanings[]{
     {"infinite recursion|all paths through this function will call itself",
      "The function calls itself in every case, so it never ends. There must be a case in which it "
      "returns without calling itself."},
+    {"non-static member function",
+     "A function is called with parentheses, even without arguments: `image.width()`."},
+    {"forbids declaration of .* with no type",
+     "The type of the result stands before the function's name, as in `Color gradient(...)`."},
+    {"no arguments to .(max|min). that depend on a template parameter",
+     "Write std:: in front: `std::max(a, b)`, or `std::max({a, b, c})` for three values."},
+    {"clause does not guard|misleading indentation",
+     "Indentation does not count in C++: put braces around all statements that belong to the `if` "
+     "or the loop."},
+    {"unsigned expression.*>= 0.* is always true",
+     "An unsigned number, such as a std::size_t, is never negative, so this never becomes false."},
+    {"is not captured|cannot be implicitly captured",
+     "Begin the lambda with `[&]`, so that it may use the variables around it."},
+    {"ambiguous",
+     "More than one function fits. If one of them is yours and another is the course's, delete "
+     "yours."},
+    {"expected unqualified-id before .\\{.",
+     "Is there a `;` too many before this brace?"},
     {"for increment expression has no effect",
      "The last part of the loop's head changes nothing: `i + 1` only computes a value; `i++` and "
      "`i += 2` change i."},

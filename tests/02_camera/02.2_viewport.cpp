@@ -101,7 +101,9 @@ TEST_CASE("02.2 the width is the height times the aspect ratio", "[02.2]") {
              << text(aspect) << ": your viewport is " << text(viewport.width) << " wide and "
              << text(viewport.height)
              << " high.\nHint: the field of view is vertical: compute the height from it, and the "
-                "width from the height. The aspect ratio is width / height");
+                "width from the height. The aspect ratio is width / height, and the result is "
+                "{width, "
+                "height}, in this order");
         const Exact expected = Exact(aspect) * Exact(viewport.height);
         CHECK(error_in_ulp(viewport.width, expected) <= 1);
     }

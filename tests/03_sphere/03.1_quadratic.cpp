@@ -90,7 +90,7 @@ TEST_CASE("03.1 both solutions are found and the smaller one comes first", "[03.
     check_exactly(-1, -3, -2, -2, -1, hint);
     check_exactly(1, 1, -6, -3, 2, hint);
     check_exactly(2, -6, 4, 1, 2,
-                  "the two solutions are q / a and c / q: do not forget to divide by a");
+                  "divide by the whole of 2 a: x / 2 * a divides by 2 and then multiplies by a");
 }
 
 TEST_CASE("03.1 a negative discriminant means no solution", "[03.1]") {

@@ -203,7 +203,8 @@ Sphere any_sphere(rt::Rng& rng) {
 TEST_CASE("03.2 a ray from outside hits the near side", "[03.2]") {
     check({{0, 0, -5}, 1}, forward, ahead, Real(4),
           "the line meets the sphere at t = 4 and 6. If you find -6 and -4, f has the wrong sign: "
-          "it must lead from the center to the ray's origin");
+          "it must lead from the center to the ray's origin. Otherwise: the factor of t in the "
+          "equation is 2 b");
     check({{0, 3, -9}, 5}, forward, ahead, Real(5),
           "half of the chord is 4, because 3^2 + 4^2 = 5^2");
 }

@@ -128,13 +128,19 @@ TEST_CASE("04.1 a hit from outside has the outward normal and is in front", "[04
         REQUIRE(length_of_normal == "1");
     }
     {
-        INFO("expected the point (1, 2, 5), actual " << text(hit.point));
+        INFO("expected the point (1, 2, 5), actual "
+             << text(hit.point)
+             << ".\nHint: the way from the center to the point is (ray.origin - sphere.center) + t "
+                "* ray.direction");
         CHECK(hit.point == Vec3{1, 2, 5});
     }
     INFO("expected the normal (0, 0, 1), actual "
          << text(hit.normal) << ".\nHint: normalize the vector from the center to the point");
     CHECK(hit.normal == Vec3{0, 0, 1});
-    INFO("Hint: the ray came from outside if its direction points against the normal");
+    INFO(
+        "expected front to be true, actual false.\nHint: the ray came from outside if its "
+        "direction "
+        "points against the normal");
     CHECK(hit.front);
 }
 
@@ -146,6 +152,7 @@ TEST_CASE("04.1 a hit from inside has the outward normal and is not in front", "
     INFO("the normal points outward, even if seen from inside: expected (0, 1, 0), actual "
          << text(hit.normal));
     CHECK(hit.normal == Vec3{0, 1, 0});
+    INFO("expected front to be false, actual true: the ray runs along the normal");
     CHECK_FALSE(hit.front);
 }
 

@@ -65,9 +65,7 @@ TEST_CASE("04.6 the ray starts just off the surface on the side of its direction
         const Vec3 out = rt::leave_surface(hit, up), in = rt::leave_surface(hit, -up);
         INFO("leaving (0, 0, 1) along " << text(up) << ": your ray starts at " << text(out)
                                         << ", and in the opposite direction at " << text(in));
-        INFO(
-            "Hint: move along the normal, by the error of the point plus the rounding error of the "
-            "sum");
+        INFO("Hint: move along the normal, by twice the error of the point");
         CHECK(out.x == 0);
         CHECK(out.y == 0);
         CHECK(out.z >= 1 + 8 * rt::epsilon);

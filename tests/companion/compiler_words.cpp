@@ -19,6 +19,26 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("CPU time limit exceeded signal terminated program cc1plus", "too much time"));
     CHECK(says("expected '}' at end of input", "{ needs its own }"));
     CHECK(says("function definition is not allowed here", "{ needs its own }"));
+    CHECK(says("invalid use of non-static member function 'int rt::Image::width() const'",
+               "`image.width()`"));
+    CHECK(says("reference to non-static member function must be called", "`image.width()`"));
+    CHECK(says("ISO C++ forbids declaration of 'gradient' with no type [-fpermissive]",
+               "The type of the result"));
+    CHECK(
+        says("there are no arguments to 'max' that depend on a template parameter, so a "
+             "declaration of 'max' must be available",
+             "`std::max(a, b)`"));
+    CHECK(says("this 'if' clause does not guard... [-Werror=misleading-indentation]", "braces"));
+    CHECK(says("misleading indentation; statement is not part of the previous 'if'", "braces"));
+    CHECK(says("comparison of unsigned expression in '>= 0' is always true", "never negative"));
+    CHECK(
+        says("result of comparison of unsigned expression >= 0 is always true", "never negative"));
+    CHECK(says("'camera' is not captured", "`[&]`"));
+    CHECK(says("variable 'camera' cannot be implicitly captured in a lambda", "`[&]`"));
+    CHECK(says("ambiguous overload for 'operator-' (operand types are 'rt::Vec3' and 'rt::Vec3')",
+               "delete yours"));
+    CHECK(says("use of overloaded operator '-' is ambiguous", "delete yours"));
+    CHECK(says("expected unqualified-id before '{' token", "`;` too many"));
     CHECK(says("expected ';' before 'return'", "semicolon"));
     CHECK(says("expected ';' after return statement", "semicolon"));
     CHECK(
@@ -139,6 +159,9 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
     says_of("return x ^ 2;", "invalid operands to binary expression ('double' and 'int')",
             "powers");
     says_of("int b = a // 2;", "expected ';' at end of declaration", "comment");
+    says_of("low, high = high, low;", "left operand of comma operator has no effect", "std::swap");
+    says_of("return std::max(0.0, x);", "no matching function for call to 'max(double, rt::Real)'",
+            "same type");
     says_of("return b;", "expected ',' or ';' before 'return'", "comment");
     says_of("Real y = 1 / x if b else x;", "expected ',' or ';' before 'if'", "condition ? a : b");
     says_of("elif (x < 0) return 2;", "'elif' was not declared in this scope", "else if");
