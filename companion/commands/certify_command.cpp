@@ -314,9 +314,7 @@ int certify(const Course& course, const Given&) {
     for (const CertifiedFigure& one : certificate.measurements)
         if (one.held == Held::fails && !one.star && !one.exercise.empty()) ids.insert(one.exercise);
     std::puts("You are not there yet; out/certificate.html shows how far you are.");
-    const bool is_exercise = !ids.empty() && ids.begin()->find('.') != std::string::npos;
-    if (is_exercise) std::printf("Next: ./course check %s\n", ids.begin()->c_str());
-    if (!ids.empty() && !is_exercise) print(next_step(course, next_on_route(course)));
+    if (!ids.empty()) print(next_step(course, next_on_route(course)));
     return written ? app::could_not : app::still_to_write;
 }
 

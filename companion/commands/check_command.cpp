@@ -127,7 +127,8 @@ int check(const Course& course, const Given& given) {
     print_stars(course, all, given.has("--stars"));
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
-        print('\n' + next_step(course, shown->exercise));
+        print('\n' + (some.size() == 1 ? next_step(course, shown->exercise)
+                                       : next_step(course, next_on_route(course))));
         return app::still_to_write;
     }
     print('\n' +

@@ -80,6 +80,9 @@ class Watch {
             }
             current_ = static_cast<std::size_t>(next - all_.begin());
             if (progress_of(course_, state, *next) == Progress::to_write) {
+                const auto step = next_on_route(course_);
+                if (step && !step->exercise)  // a graft, which is checked elsewhere
+                    print('\n' + next_step(course_, step) + "\nThen, in this window:");
                 print('\n' + next_step(course_, *next));
                 print_keys();
                 prepare();
