@@ -62,7 +62,8 @@ std::string in_own_process(const std::function<std::string()>& work, unsigned se
         limit.rlim_cur = std::min(limit.rlim_max, static_cast<rlim_t>(stack));
         setrlimit(RLIMIT_STACK, &limit);
         std::set_terminate([] { _exit(3); });  // what an exception in a thread leads to
-        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL}) signal(number, SIG_DFL);
+        for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGILL, SIGALRM})
+            signal(number, SIG_DFL);
         alarm(seconds);
         std::string result = "an exception";
         try {
