@@ -117,8 +117,7 @@ const Meaning meanings[]{
     {"ambiguous",
      "More than one function fits. If one of them is yours and another is the course's, delete "
      "yours."},
-    {"expected unqualified-id before .\\{.",
-     "Is there a `;` too many before this brace?"},
+    {"expected unqualified-id before .\\{.", "Is there a `;` too many before this brace?"},
     {"for increment expression has no effect",
      "The last part of the loop's head changes nothing: `i + 1` only computes a value; `i++` and "
      "`i += 2` change i."},
