@@ -23,8 +23,8 @@ struct SchlickDielectric {
 // Exercise 05.5. How a path goes on from the surface of glass: reflected with the probability
 // reflectance(cosine, eta), otherwise refracted. Either way the path keeps all of its light,
 // because the random choice already weights both. `incoming` has length 1; reflectance is one of
-// the functions of exercise 05.4, or any other. One random number decides; where the reflectance
-// is 0 or 1, none need be drawn. The index may be below 1, like that of a bubble.
+// the functions of exercise 05.4, or any other. At most one random number is drawn, and none if the
+// reflectance is 0. The index may be below 1, like that of a bubble.
 // Star: reflected light stays on its side of the surface, even if it grazes the surface: use
 // above_horizon().
 template <class Reflectance, class Random>

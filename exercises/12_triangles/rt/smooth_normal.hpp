@@ -21,8 +21,8 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
 // reflects `incoming` to the side of the triangle that the light came from. All have length 1;
 // `flat` is on the side of `smooth`.
 // Star: otherwise, `smooth` is bent toward the light's side until the mirror direction runs along
-// the triangle; the result is still on the side of `flat`. If `incoming` runs along the
-// triangle itself, there is no such normal, and the result is `flat`, unless `smooth` will do.
+// the triangle; the result is still on the side of `flat`. If `incoming` runs along the triangle
+// itself, there is no such normal, and the result is `flat`, unless `smooth` will do.
 // Source: the idea is in Keller et al., "The Iray light transport simulation and rendering system",
 // 2017.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {

@@ -25,8 +25,8 @@ inline bool goes_around(Vec3 p, Vec3 q, Real area) {
 // triangle without area. The point of the ray at t is off the triangle's plane by at most 16
 // epsilon times the largest coordinate of a corner as seen from the ray's origin. A ray through an
 // edge that two triangles share hits exactly one of them if they lie on different sides of the edge
-// as the ray sees it, and otherwise both or none, as long as the areas neither overflow nor
-// underflow.
+// as the ray sees it, and both or none if they lie on the same side (at an outline), as long as the
+// areas neither overflow nor underflow.
 inline std::optional<TriangleHit> hit_triangle(const Triangle& triangle, const Ray& ray,
                                                Interval within) {
     const ShearedRay sheared{ray};
