@@ -2,6 +2,7 @@
 #include <companion/build/missing_include.hpp>
 #include <companion/system/files.hpp>
 #include <regex>
+#include <set>
 
 namespace companion {
 namespace {
@@ -36,6 +37,20 @@ bool declares(const std::string& header, const std::string& name, const std::reg
     return false;
 }
 
+// The headers <rt/...> that the text includes, and those that they include in their turn.
+std::set<std::string> included_by(const std::string& text, const std::vector<fs::path>& folders,
+                                  std::set<std::string> found = {}) {
+    static const std::regex include{"#include <rt/(\\w+\\.hpp)>"};
+    for (std::sregex_iterator one{text.begin(), text.end(), include}, end; one != end; ++one) {
+        const std::string header = (*one)[1];
+        if (!found.insert(header).second) continue;
+        for (const fs::path& folder : folders)
+            if (fs::is_regular_file(folder / header))
+                found = included_by(read_text(folder / header), folders, std::move(found));
+    }
+    return found;
+}
+
 }  // namespace
 
 std::string missing_include(const Course& course, const std::string& error) {
@@ -61,11 +76,22 @@ std::string missing_include(const Course& course, const std::string& error) {
                 declares(read_text(entry.path()), name, declaration))
                 headers.push_back(entry.path().filename().string());
     }
+    const std::string text = read_text(whole);
+    // The tracer is not in the namespace rt, as the exercises' files are.
+    const bool names_rt =
+        text.find("using namespace rt;") != std::string::npos ||
+        std::regex_search(error.substr(0, error.find('\n')), std::regex{"(of|namespace) 'rt'"});
+    if (is_tracer && !names_rt) {
+        const std::set<std::string> included = included_by(text, folders);
+        if (std::any_of(headers.begin(), headers.end(),
+                        [&](const std::string& header) { return included.count(header) > 0; }))
+            return "write `using namespace rt;` below the #includes, or `rt::" + name + '`';
+    }
     const auto named = std::find(headers.begin(), headers.end(), name + ".hpp");
     if (named == headers.end() && headers.size() != 1) return "";  // which overload is meant?
     const std::string header = named == headers.end() ? headers[0] : *named;
     const std::string include = "#include <rt/" + header + '>';
-    if (file.filename() == header || read_text(whole).find(include) != std::string::npos) return "";
+    if (file.filename() == header || text.find(include) != std::string::npos) return "";
     return "add " + include + ", which declares " + name;
 }
 

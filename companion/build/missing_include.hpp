@@ -5,8 +5,9 @@
 namespace companion {
 
 // "add #include <rt/dot.hpp>, which declares dot", where an error says that a name is not known,
-// and one of the course's headers that this file may include, and does not, declares it; else
-// empty. The error begins with its file, relative to the course.
+// and one of the course's headers that this file may include, and does not, declares it; "write
+// `using namespace rt;` ...", where a tracer includes it but must still say so. Else empty. The
+// error begins with its file, relative to the course.
 std::string missing_include(const Course& course, const std::string& error);
 
 }  // namespace companion

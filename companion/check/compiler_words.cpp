@@ -66,7 +66,10 @@ const Habit habits[]{
     {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
      "If the name is new, the line needs its type, such as `const Real x = ...;`. If the variable "
      "exists already, is its name misspelled, or is it declared in another block?"},
-    {"operand of comma|expression result unused", "^[\\s\\d|]*\\w+, \\w+ = ",
+    {"result unused|has no effect|value computed", "^[\\s\\d|]*[\\w.]+ == [^;]*;",
+     "`==` compares; to set a value, write `=`."},
+    {"expected unqualified-id$", "^[\\s\\d|]*\\{", "Is there a `;` too many before this brace?"},
+    {"operand of comma|expression result unused|to itself", "^[\\s\\d|]*[\\w.]+, [\\w.]+ = ",
      "C++ assigns one value at a time. To swap two, write `std::swap(a, b);`."},
     {"left.* operand of comma|expression result unused|no viable conversion|could not "
      "convert|cannot convert",
@@ -98,15 +101,24 @@ const Meaning meanings[]{
      "One side is itself a comparison, so it is true or false, not a number. C++ cannot chain "
      "comparisons: write "
      "`a < b && b < c`."},
+    {"comparison in operand of .==",
+     "`==` compares; to set a value, write `=`. Three values are compared by "
+     "`a == b && b == c`."},
+    {"operand of comma",
+     "A comma between values drops the first one. To swap two values, write `std::swap(a, b);`; to "
+     "return two, write `return {a, b};`."},
     {"infinite recursion|all paths through this function will call itself",
      "The function calls itself in every case, so it never ends. There must be a case in which it "
      "returns without calling itself."},
-    {"non-static member function",
+    {"non-static member function must|invalid use of (non-static )?member function",
      "A function is called with parentheses, even without arguments: `image.width()`."},
-    {"forbids declaration of .* with no type",
+    {"forbids declaration of .* with no type|requires a type specifier",
      "The type of the result stands before the function's name, as in `Color gradient(...)`."},
-    {"no arguments to .(max|min). that depend on a template parameter",
+    {"no arguments to .(max|min). that depend|undeclared identifier .(max|min)\\b",
      "Write std:: in front: `std::max(a, b)`, or `std::max({a, b, c})` for three values."},
+    {"no arguments to .* that depend on a template parameter",
+     "No function of this name is known here. Declare it first, or #include its header; a function "
+     "of the standard library needs std:: in front."},
     {"clause does not guard|misleading indentation",
      "Indentation does not count in C++: put braces around all statements that belong to the `if` "
      "or the loop."},
@@ -166,6 +178,8 @@ const Meaning meanings[]{
     {"call to .(sqrt|abs|min|max|copysign|fma)\\(.*rt::Pack",
      "The std:: functions take single numbers. The functions for packs have the same names, "
      "without std:: in front."},
+    {"no matching function for call to .(max|min)\\b",
+     "std::max and std::min need two values of the same type: write `Real(0)` instead of `0.0`."},
     {"(convert|conversion|initialize|assigning to).*(rt::Pack(Mask)?\\b|__vector|vector of)",
      "One side is a pack and the other is not, or the two packs are of different kinds. "
      "`pack_of(x)` holds x in every lane, and `PackMask{} + n` the integer n; `p[i]` is the number "
@@ -209,7 +223,13 @@ const Meaning meanings[]{
     {"use of deleted function|call to deleted|implicitly-deleted",
      "A value of this type, such as a unique_ptr, cannot be copied: move it with std::move, or use "
      "a reference."},
-    {"read-only|const-qualified|cannot assign to variable|discards qualifiers|not marked const",
+    {"as .this. argument discards qualifiers|not marked const",
+     "This value is const, so only member functions with const after their parentheses can be "
+     "called: `int width() const { ... }`."},
+    {"discards qualifiers|would lose const|drops .const",
+     "This value is const, so it cannot be changed here. If you only read it, take it as "
+     "`const Color&`, with its own type."},
+    {"read-only|const-qualified|cannot assign to variable",
      "This value is const, so it cannot be changed here."},
     {"no match for .operator|invalid operands",
      "There is no such operator for these two types. Check the type of each side."},
@@ -249,7 +269,9 @@ const Meaning meanings[]{
 
 std::string plain_words(const std::string& error) {
     // What to do is known: see first_error().
-    if (error.find("\n  add #include <") != std::string::npos) return "";
+    if (error.find("\n  add #include <") != std::string::npos ||
+        error.find("\n  write `using namespace rt;`") != std::string::npos)
+        return "";
     // With some language settings, compilers use other quotes.
     const std::string first_line =
         std::regex_replace(error.substr(0, error.find('\n')), std::regex{"\u2018|\u2019"}, "'");

@@ -45,11 +45,10 @@ int hint(const Course& course, const Given& given) {
         for (const std::string& hint : all)
             if (const std::string star = parts_of(hint).star; stars && !star.empty())
                 std::printf("%s\n", words_of(star).c_str());
-        std::printf(
-            "There are no more hints for %s: all three are in %s. Read %s again. The "
-            "solution is in %s.\n",
-            exercise.id.c_str(), exercise.chapter.hints.string().c_str(),
-            exercise.section().c_str(), solution_of(exercise).c_str());
+        print(wrapped("There are no more hints for " + exercise.id + ": all three are in " +
+                          exercise.chapter.hints.generic_string() + ". Read " + exercise.section() +
+                          " again. The solution is in " + solution_of(exercise) + '.',
+                      ""));
         return app::done;
     }
     const std::string& words = all[static_cast<std::size_t>(number)];

@@ -53,7 +53,13 @@ class CommandLine {
     // Runs what these words ask for. Throws CLI::ParseError if they do not fit the declarations.
     int obey(Words words) {
         std::reverse(words.begin(), words.end());  // the parser expects them in reverse
-        parser_.parse(words);
+        try {
+            parser_.parse(words);
+        } catch (const CLI::ExtrasError&) {  // its message lists them backward
+            std::string extra;
+            for (const std::string& word : parser_.remaining(true)) extra += ' ' + word;
+            throw CLI::ParseError("not expected:" + extra, app::bad_input);
+        }
         return exit_code_;
     }
 

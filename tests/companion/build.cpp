@@ -133,6 +133,33 @@ TEST_CASE("the missing include of a name that is not known is told", "[build]") 
           "add #include <vector>, which declares std::vector");
 }
 
+TEST_CASE("a tracer that includes a header is told of its namespace", "[build]") {
+    const TemporaryFolder root;
+    const fs::path whole = this_course().root;
+    for (const char* const file :
+         {"course.json", "common/rt/vec3_type.hpp", "chapters/01_vectors/rt/vec3.hpp"})
+        write_file(root / file, read_file(whole / file));
+    write_file(root / "solutions/01_vectors/rt/dot.hpp", "#include <rt/vec3.hpp>\n");
+    const auto told = [&](const std::string& text, const std::string& what) {
+        const std::string file = "exercises/tracer/tracer.cpp";
+        write_file(root.path() / file, text);
+        const std::string error =
+            first_error({root.path(), root.path() / "build"},
+                        file + ":3:5: error: " + what + "\n    3 | it\n", {file});
+        CHECK(plain_words(error).empty());
+        return error.substr(error.find("it\n") + 5);
+    };
+    const std::string unknown = "'Vec3' does not name a type",
+                      add = "add #include <rt/vec3_type.hpp>, which declares Vec3",
+                      name = "write `using namespace rt;` below the #includes, or `rt::Vec3`";
+    CHECK(told("int x;\n", unknown) == add);
+    CHECK(told("#include <rt/vec3.hpp>\n", unknown) == name);
+    CHECK(told("#include <rt/dot.hpp>\n", "unknown type name 'Vec3'; did you mean 'rt::Vec3'?") ==
+          name);
+    CHECK(told("#include <rt/real.hpp>\nusing namespace rt;\n", unknown) == add);
+    CHECK(told("#include <rt/real.hpp>\n", "'Vec3' is not a member of 'rt'") == add);
+}
+
 TEST_CASE("of the warnings the one that explains a crash goes first", "[build]") {
     const std::string file = "/c/exercises/01_x/rt/a.hpp";
     const std::string unused = file + ":3:5: warning: unused variable 'x' [-Wunused-variable]\n";

@@ -485,6 +485,21 @@ class Companion(unittest.TestCase):
         self.write("two", STUB % (2, 2))
         self.assertIn("Next: 01.2", self.course("check", "01.1"))
 
+    def test_the_next_step_may_be_a_graft(self):
+        chapter = self.chapter("01_tiny", self.facts)
+        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        self.put("course.json", json.dumps({"chapters": [chapter], "route": ["01.2", "graft 01", "01.1"]}))
+        self.write("two", "right\n")
+        for words, code in ((["check", "01.2"], 0), (["check", "01"], 3), (["certify"], 3), (["list"], 0)):
+            self.assertIn("\nNext: graft 01, Any", self.course(*words, code=code), words)
+        with self.watched("01") as terminal:
+            terminal.expect("Next: .*graft 01, Any")
+            terminal.expect("check  ./course tracer")
+            terminal.expect("Then, in this window:")
+            terminal.expect("Next: .*01.1 Number one")
+            terminal.press("q")
+            self.assertEqual(terminal.end(), 0)
+
     def test_what_fails_comes_before_what_is_new(self):
         self.write("one", "wrong\n")
         self.course("check", "01.1", code=1)
@@ -741,6 +756,8 @@ class Companion(unittest.TestCase):
         self.assertIn("shape", said[2])
         self.assertIn("no more hints", said[3])
         self.assertIn("solutions/01_tiny/rt/one.hpp", said[4])
+        for line in said[3].split("\n"):
+            self.assertLessEqual(len(line), 98)
         self.assertIn("idea", self.course("hint", "1.2"))
 
     def test_hints_for_stars_wait_for_the_core(self):
@@ -1160,6 +1177,11 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             self.assertEqual(said.count("\n"), 1, words)
             self.assertTrue(said.startswith("course: "), said)
 
+    def test_what_is_not_expected_is_listed_as_it_was_typed(self):
+        self.assertIn("mine: not expected: --width 320 --height 180;",
+                      self.course("mine", "--width", "320", "--height", "180", code=2))
+        self.assertIn("own: not expected: --x y;", self.course("own", "judge", "x", "--x", "y", code=2))
+
     def test_guesses(self):
         for word, meant in (("chek", "check"), ("lst", "list"), ("hnit", "hint"), ("wach", "watch")):
             self.assertIn(f"did you mean {meant}?", self.course(word, code=2))
@@ -1255,7 +1277,11 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                     self.assertTrue(said.startswith(f"  {' '.join(name)} "), said)
                     self.assertIn(said.split("\n")[0], whole.split("\n"))
         self.assertEqual(self.script("check", "--help").count("\n"), 3)
-        for words in (["study", "99"], ["run", "99", "--spp", "4"], ["check", "99.1"]):
+        for words in (["study", "01"], ["own", "judge", "x"], ["check", "01.1", "--stars"]):
+            for flag in ("--help", "-h"):
+                of_command = [word for word in words if word in ("study", "own", "judge", "check")]
+                self.assertEqual(self.script(*words, flag), self.script(*of_command, flag))
+        for words in (["study", "99"], ["run", "99", "--spp", "4"], ["run", "99", "--help"], ["check", "99.1"]):
             self.assertIn("there is no chapter '99'", self.script(*words, code=2))
         self.assertFalse((self.root / "build").exists())
         for words in (["nonsense"], ["chec"], ["own_new"], ["c.*"], ["TEXT"]):

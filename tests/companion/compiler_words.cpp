@@ -22,6 +22,36 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("invalid use of non-static member function 'int rt::Image::width() const'",
                "`image.width()`"));
     CHECK(says("reference to non-static member function must be called", "`image.width()`"));
+    CHECK(
+        says("invalid use of member function 'int rt::Image::width() const' (did you forget the "
+             "'()' ?)",
+             "`image.width()`"));
+    CHECK(says("C++ requires a type specifier for all declarations", "The type of the result"));
+    CHECK(says("use of undeclared identifier 'max'; did you mean 'fmax'?", "`std::max(a, b)`"));
+    CHECK(
+        says("there are no arguments to 'shade' that depend on a template parameter, so a "
+             "declaration of 'shade' must be available [-fpermissive]",
+             "Declare it first"));
+    CHECK(says("suggest parentheses around comparison in operand of '==' [-Wparentheses]",
+               "to set a value, write `=`"));
+    CHECK(says("no matching function for call to 'max(float&, double)'", "`Real(0)`"));
+    CHECK(says("no matching function for call to 'min'", "`Real(0)`"));
+    CHECK(says("no matching function for call to 'max(rt::Pack&, double)'", "without std::"));
+    CHECK(says("binding reference of type 'rt::Color&' to 'const rt::Color' discards qualifiers",
+               "`const Color&`"));
+    CHECK(
+        says("binding reference of type 'rt::Color' to value of type 'const rt::Color' drops "
+             "'const' qualifier",
+             "`const Color&`"));
+    CHECK(says("passing 'const C' as 'this' argument discards qualifiers [-fpermissive]",
+               "`int width() const { ... }`"));
+    CHECK(
+        says("'this' argument to member function 'set' has type 'const C', but function is not "
+             "marked const",
+             "`int width() const { ... }`"));
+    // A warning comes without its line of source.
+    CHECK(plain_words("a.hpp:1: left operand of comma operator has no effect").find("std::swap") !=
+          std::string::npos);
     CHECK(says("ISO C++ forbids declaration of 'gradient' with no type [-fpermissive]",
                "The type of the result"));
     CHECK(
@@ -160,6 +190,14 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             "powers");
     says_of("int b = a // 2;", "expected ';' at end of declaration", "comment");
     says_of("low, high = high, low;", "left operand of comma operator has no effect", "std::swap");
+    says_of("box.low, box.high = box.high, box.low;",
+            "left operand of comma operator has no effect", "std::swap");
+    says_of("low, high = high, low;",
+            "explicitly assigning value of variable of type 'rt::Real' (aka 'double') to itself",
+            "std::swap");
+    says_of("a == b;", "statement has no effect [-Wunused-value]", "write `=`");
+    says_of("a == b;", "equality comparison result unused [-Wunused-comparison]", "write `=`");
+    says_of("{ return x; }", "expected unqualified-id", "`;` too many");
     says_of("return std::max(0.0, x);", "no matching function for call to 'max(double, rt::Real)'",
             "same type");
     says_of("return b;", "expected ',' or ';' before 'return'", "comment");

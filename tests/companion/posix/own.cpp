@@ -1,5 +1,6 @@
 // Judging programs that are shell scripts.
 
+#include <app/errors.hpp>
 #include <companion/model/course.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/own_program.hpp>
@@ -54,6 +55,21 @@ TEST_CASE("a program that cannot be built is one line", "[own]") {
     CHECK(holds(only("true\n"), "did not make a program named own"));
     // As `own new` leaves it.
     CHECK(holds(only("c++ -x c++ /dev/null -o own\n"), "there is no main() yet"));
+}
+
+TEST_CASE("a tracer that draws nothing is not called own", "[own]") {
+    const TemporaryFolder folder;
+    const fs::path tracer = folder / "tracer";
+    write_file(tracer, "#!/bin/sh\n");
+    fs::permissions(tracer, fs::perms::owner_all);
+    const OwnProgram program{OwnProgram::Existing{}, tracer};
+    std::string said;
+    try {
+        program.picture("", {});
+    } catch (const app::Failure& failure) {
+        said = failure.what();
+    }
+    CHECK(said == "your tracer ended with exit code 0 but wrote no picture");
 }
 
 TEST_CASE("a program that draws nothing fails line by line", "[own]") {
