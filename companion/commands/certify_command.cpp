@@ -310,11 +310,12 @@ int certify(const Course& course, const Given&) {
                         "open stars.");
         return app::done;
     }
-    std::set<std::string> ids;
-    for (const CertifiedFigure& one : certificate.measurements)
-        if (one.held == Held::fails && !one.star && !one.exercise.empty()) ids.insert(one.exercise);
     std::puts("You are not there yet; out/certificate.html shows how far you are.");
-    if (!ids.empty()) print(next_step(course, next_on_route(course)));
+    const auto is_missing = [](const CertifiedFigure& one) {
+        return one.held == Held::fails && !one.star && !one.exercise.empty();
+    };
+    if (std::any_of(certificate.measurements.begin(), certificate.measurements.end(), is_missing))
+        print(next_step(course, next_on_route(course)));
     return written ? app::could_not : app::still_to_write;
 }
 

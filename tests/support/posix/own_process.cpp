@@ -17,6 +17,12 @@
 namespace checkpoint {
 namespace {
 
+double seconds_of(clockid_t clock) {
+    timespec time{};
+    clock_gettime(clock, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
 // Notices that a process has computed next to nothing for 3 seconds.
 class Idleness {
   public:
@@ -37,12 +43,6 @@ class Idleness {
     }
 
   private:
-    static double seconds_of(clockid_t clock) {
-        timespec time{};
-        clock_gettime(clock, &time);
-        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-    }
-
     clockid_t clock_{};
     bool has_clock_ = false;
     int idle_looks_ = 0;
@@ -155,9 +155,7 @@ Printed run_program(const std::string& program) {
 }
 
 double processor_seconds() {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    return seconds_of(CLOCK_THREAD_CPUTIME_ID);
 }
 
 }  // namespace checkpoint
