@@ -414,8 +414,9 @@ async function runs(page, live) {
     return figure;
 }
 
-// What is shown, or that an answer is still on its way.
-const stateOf = figure => figure.evaluate(element => {
+// What is shown, or that an answer is still on its way. A figure that is reset asks for its picture after the event.
+const stateOf = figure => figure.evaluate(async element => {
+    await new Promise(later => setTimeout(later));
     const waits = Boolean(element.figure.waits || element.figure.shows);
     return { waits, values: element.figure.values.join(), pixels: waits ? '' : element.querySelector('canvas').toDataURL() };
 });
