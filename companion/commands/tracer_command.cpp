@@ -64,6 +64,16 @@ std::string ways_out(const Course& course, const Chapter& chapter) {
            "  ./course tracer --from " + chapter.number() + "  to go on without doing this graft\n";
 }
 
+// How to have the next graft judged before all of its exercises pass; empty if there is none.
+std::string way_on(const Course& course) {
+    const State state = read_state(course);
+    for (const Chapter& chapter : grafts(course))
+        if (!state.grafts.count(chapter.number()))
+            return "Have you done graft " + chapter.number() +
+                   " already? ./course tracer --graft " + chapter.number() + '\n';
+    return {};
+}
+
 // Draws the learner's scene, or what the program draws without a scene, or says why it cannot.
 void draw(const Course& course, const Chapter& chapter) {
     const Graft& graft = *chapter.graft;
@@ -107,9 +117,9 @@ int draw_false_colors(const Course& course, const std::string& word) {
     return app::done;
 }
 
-// The graft that is named, or else the first one that has not passed, or else the last one.
+// The graft that is named, or else the next one. Until the exercises before that one pass, the
+// tracer is still what the last graft made of it.
 Chapter chosen(const Course& course, const Given& given) {
-    const std::vector<Chapter> all = grafts(course);
     if (given.has("--graft")) {
         const Chapter chapter = find_chapter(course, given.options.at("--graft"));
         if (!chapter.graft)
@@ -117,9 +127,19 @@ Chapter chosen(const Course& course, const Given& given) {
         return chapter;
     }
     const State state = read_state(course);
-    for (const Chapter& chapter : all)
-        if (!state.grafts.count(chapter.number())) return chapter;
-    return all.back();
+    std::optional<Chapter> last;
+    bool is_ready = true;
+    for (const Step& step : route(course)) {
+        if (step.exercise) {
+            is_ready = is_ready && !is_open(course, state, step);
+        } else if (is_open(course, state, step)) {
+            return is_ready || !last ? step.chapter : *last;
+        } else {
+            last = step.chapter;
+            is_ready = true;
+        }
+    }
+    return last.value_or(grafts(course).back());
 }
 
 }  // namespace
@@ -156,10 +176,13 @@ int tracer(const Course& course, const Given& given) {
               ways_out(course, chapter));
         return app::could_not;
     }
-    change_state(course,
-                 [&](State& state) { state.grafts.emplace(chapter.number(), std::time(nullptr)); });
+    bool is_new = false;
+    change_state(course, [&](State& state) {
+        is_new = state.grafts.emplace(chapter.number(), std::time(nullptr)).second;
+    });
     print(green("Graft " + chapter.number() + " passes.") + '\n');
     print('\n' + next_step(course, next_on_route(course, "graft " + chapter.number())));
+    if (!is_new) print(way_on(course));
     return app::done;
 }
 

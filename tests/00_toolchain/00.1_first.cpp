@@ -150,23 +150,24 @@ std::string color(const Drawn& drawn, int column, int row) {
 
 Finding sky(const Drawn& drawn) {
     const int last = drawn.last_of_sky(), side = drawn.picture.width / 5;
-    const char* const hint =
-        "In C++ row / height is 0, since both are whole numbers; (row + 0.5) / height has a "
-        "fraction. And calculate `up` from the row, not from the column";
     if (drawn.difference(0, 0, 0, last) < 12)
         return {"a sky whose color changes from the top to the horizon",
                 "row 0 has the color " + color(drawn, 0, 0) + ", and row " + number(last) +
                     " still has " + color(drawn, 0, last),
-                hint};
+                "In C++ row / height is 0, since both are whole numbers; (row + 0.5) / height has "
+                "a fraction. And calculate `up` from the row, not from the column"};
     Finding finding;
     drawn.inside_of(Place::sky, [&](int column, int row, const Place&) {
         // Not near the middle, where a wrong disk may be.
         if (column > side && column < drawn.picture.width - side) return;
         if (!finding.expected.empty() || !drawn.differs_from_sky(column, row)) return;
-        finding = {"a sky with a single color in each row",
-                   "in row " + number(row) + " column 0 is " + color(drawn, 0, row) +
-                       " and column " + number(column) + " is " + color(drawn, column, row),
-                   hint};
+        finding = {
+            "a sky with a single color in each row",
+            "in row " + number(row) + " column 0 is " + color(drawn, 0, row) + " and column " +
+                number(column) + " is " + color(drawn, column, row),
+            "Calculate `up` from the row, not from the column. And does `if (hit(...))` take "
+            "a miss for a hit? In C++ every number but 0 is true, -1 as well: ask whether "
+            "the result is greater than 0"};
     });
     return finding;
 }

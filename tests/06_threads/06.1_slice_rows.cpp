@@ -13,6 +13,11 @@ std::string text(Rows rows) {
     return "rows " + std::to_string(rows.begin) + " to " + std::to_string(rows.end);
 }
 
+constexpr const char* wide_product =
+    "Hint: height * worker may need more than the 32 bits of an int, and more than the 53 bits "
+    "that "
+    "a double keeps; 64 are enough";
+
 // The first thing that is wrong with the slices of all workers; empty if nothing is.
 std::string complaint(int height, int workers) {
     int next = 0, most = 0, least = height;
@@ -105,7 +110,7 @@ TEST_CASE("06.1 no row is lost in a picture of any height", "[06.1][hard]") {
         for (const int workers : {1, 2, 3, 7, 63, 64, 1000}) {
             // First a picture of few rows, in which as many are left over.
             REQUIRE(complaint(10 * workers + height % workers, workers) == "");
-            INFO("Hint: height * worker may need more than the 32 bits of an int");
+            INFO(wide_product);
             REQUIRE(complaint(height, workers) == "");
         }
     rt::Rng rng{6, 1};
@@ -123,7 +128,7 @@ TEST_CASE("06.1 no row is lost in a picture of any height", "[06.1][hard]") {
                                                    : 1 + any_size();
         if (workers > largest) continue;
         const std::int64_t worker = i % 4 == 0 ? workers - 1 : i % 4 == 1 ? 0 : any_below(workers);
-        INFO("Hint: height * worker may need more than the 32 bits of an int");
+        INFO(wide_product);
         REQUIRE(complaint_of_one(height, workers, worker) == "");
     }
 }
