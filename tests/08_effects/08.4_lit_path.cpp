@@ -317,12 +317,11 @@ TEST_CASE("08.4 a floor gets as much light as the formula says", "[08.4]") {
         // The light sample alone, it and the bounce, and the bounce alone.
         check_mean(lit.mean(ray, lit.lights, rt::SkyEnding{}, 1, 8000, 1), expected);
         const Mean both = lit.mean(ray, lit.lights, rt::SkyEnding{}, 2, 8000, 2);
-        INFO(both.mean() > expected
-                 ? "Hint: a bounce from a place where the light was sampled may meet it, too. Do "
-                   "not "
-                   "count it twice: after such a bounce, the light adds nothing more"
-                 : "Hint: light is lost. If the sample has a weight, a bounce that meets the light "
-                   "brings the rest: the two weights add up to 1");
+        INFO((both.mean() > expected
+                  ? "Hint: a bounce from a place where the light was sampled may meet it, too. Do "
+                    "not count it twice: after such a bounce, the light adds nothing more"
+                  : "Hint: light is lost. If the sample has a weight, a bounce that meets the "
+                    "light brings the rest: the two weights add up to 1"));
         check_mean(both, expected);
         const FoundByChance chance{lit.lights};
         check_mean(lit.mean(ray, chance, rt::SkyEnding{}, 2, 40000, 3), expected);

@@ -450,13 +450,22 @@ inline const int rt_mutant = std::getenv("RT_MUTANT") ? std::atoi(std::getenv("R
 
 
 def limit(process, seconds):
-    """Ends a program after so many whole seconds of processor time: an endless loop ends however busy the machine is.
+    """Ends a program after so many seconds of processor time, rounded up: an endless loop ends however busy the machine is.
     The program runs already, since preexec_fn, by which it would begin with its limits, takes longer than most mutants."""
     # Filling more memory would take most of the time of some exercises.
-    limits = {resource.RLIMIT_DATA: 1 << 30, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: seconds}
+    limits = {resource.RLIMIT_DATA: 1 << 30, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: math.ceil(seconds)}
     for kind, most in limits.items():
         with contextlib.suppress(ProcessLookupError):
             resource.prlimit(process.pid, kind, (most, most))
+
+
+def processor_time(process):
+    """The seconds of processor time that a program has taken so far; 0 where /proc does not tell."""
+    try:
+        fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    except OSError:
+        return 0
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def escaped(name):
@@ -531,11 +540,15 @@ class Answer:
                               cwd=self.folder, env=environment, text=True, errors="replace",
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
             limit(process, processor_seconds)
-            try:
-                said, _ = process.communicate(timeout=seconds)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                return None
+            end = time.time() + seconds
+            while True:
+                try:
+                    said, _ = process.communicate(timeout=0.1)
+                    break
+                except subprocess.TimeoutExpired:
+                    if time.time() > end or processor_time(process) > processor_seconds:
+                        process.kill()
+                        return None
         if process.returncode == 0:
             return said
         failed = re.search(r"^-{79}\n(\d\d\.\d [ -~]*)\n", said, re.M)  # of a long name, the first line
@@ -549,7 +562,7 @@ class Answer:
         run() tries a mutant."""
         begun, used = time.time(), time_of_children()
         said = self.run(0, words)
-        return said, (words, max(5.0, 8 * (time.time() - begun)), math.ceil(0.5 + 8 * (time_of_children() - used)))
+        return said, (words, max(5.0, 8 * (time.time() - begun)), 0.3 + 8 * (time_of_children() - used))
 
     def try_solution(self):
         """Does the solution pass? Then mutants are run part by part: the quick test cases first, so that a mutant
