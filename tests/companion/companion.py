@@ -1158,16 +1158,18 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertEqual((self.root / "exercises/tracer/tracer.cpp").read_text(), "ours\n")
 
     def test_tracer_is_judged_at_the_last_graft_until_the_next_is_ready(self):
-        graft = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": []}
-        first, second = self.chapter("01_tiny", self.facts), {**self.chapter("02_tiny", self.facts), "exercises": []}
-        first["graft"] = second["graft"] = graft
-        self.put("course.json", json.dumps({"chapters": [first, second], "route": ["graft 01", "01.1", "graft 02"]}))
+        graft = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        self.add_second_chapter()
+        course = json.loads((self.root / "course.json").read_text())
+        for chapter in course["chapters"]:
+            chapter["graft"] = graft
+        self.put("course.json", json.dumps({**course, "route": ["graft 01", "01.1", "graft 02", "01.2", "02.1"]}))
         self.put("solutions/tracer/01.cpp", "no program\n")
         self.course("tracer", "--from", "01")
-        self.assertTrue(self.course("tracer", code=3).startswith("Graft 01: Any\n"))
+        self.assertTrue(self.course("tracer", code=1).startswith("Graft 01: Any\n"))
         self.write("one", "right\n")
         self.course("check", "01.1")
-        self.assertTrue(self.course("tracer", code=3).startswith("Graft 02: Any\n"))
+        self.assertTrue(self.course("tracer", code=1).startswith("Graft 02: Any\n"))
 
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
