@@ -150,7 +150,8 @@ int tracer(const Course& course, const Given& given) {
     const Chapter chapter = chosen(course, given);
     print(bold(given.has("--show") ? "Your scene, in false colors"
                                    : "Graft " + chapter.number() + ": " + chapter.graft->title) +
-          '\n' + put_yours_in_place(course, chapter).words() + '\n');
+          '\n');
+    print(put_yours_in_place(course, chapter).words() + '\n');
     std::string line;
     for (const std::string& word : tracer_command(course, chapter))
         line += (line.empty() ? "" : " ") + word;
