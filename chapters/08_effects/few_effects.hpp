@@ -8,13 +8,13 @@ namespace effects {
 // The sets of effects for which the electives' renderers are compiled. There are few, because each
 // takes long to compile, and because an effect that is compiled in but not used costs these
 // renderers little. The last set has all effects.
-inline constexpr std::array<rt::Effects, 5> few_effects = [] {
+inline constexpr std::array<rt::Effects, 4> few_effects = [] {
     constexpr rt::Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
     rt::Effects moving = materials, lit = materials;
     moving.motion = moving.instances = true;
     lit.lights = lit.instances = true;
-    return std::array<rt::Effects, 5>{{{}, materials, moving, lit, rt::every_effect}};
+    return std::array<rt::Effects, 4>{{materials, moving, lit, rt::every_effect}};
 }();
 
 // Calls make<set>() for each of these sets, and returns the results in the order of the sets.
