@@ -8,7 +8,6 @@
 #include <app/run.hpp>
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <rt/sphere_list.hpp>
 #include <rt/tent_filter.hpp>
 
@@ -286,7 +285,7 @@ class Subject {
                 filtered.add(x, y, offset, light);
                 if (x >= 0 && y >= 0 && x < width && y < height) sums.at(x, y).add(light);
             };
-            SobolSamples samples{1001 + half, count};
+            const SobolSamples samples{1001 + half, count};
             const Quality quality{count, truth_depth, 1};
             std::uint64_t rays = 0;
             if constexpr (covers(batch_effects, effects)) {
@@ -295,11 +294,10 @@ class Subject {
             } else {
                 const Renderer<effects> renderer{description_, width, height, quality};
                 for_each_pixel(filtered.sampled(), [&](int x, int y) {
-                    const std::function keep_here = [&](Vec2 offset, const Color& light) {
+                    const auto keep_here = [&](Vec2 offset, const Color& light) {
                         keep(x, y, offset, light);
                     };
-                    samples.keep = &keep_here;
-                    renderer(samples, x, y, rays);
+                    renderer(KeptSamples<decltype(keep_here)>{samples, keep_here}, x, y, rays);
                 });
             }
             filtered.write(tent[half]);

@@ -1,7 +1,6 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <limits>
 #include <optional>
 #include <rt/color_sum.hpp>
@@ -95,9 +94,6 @@ struct SobolSamples {
     // If set, only the samples that a tent lets count for a pixel of this tile: those less than one
     // pixel from its middle, both across and down.
     std::optional<Tile> near{};
-    // If set, it gets each sample with its position in the pixel, and average() is black. A type of
-    // its own for such samples would compile every renderer once more.
-    const std::function<void(Vec2 offset, const Color& light)>* keep = nullptr;
 
     // Calls visit(parts...) for each sample of a pixel, with the arguments that make its
     // SobolRandom.
@@ -110,19 +106,21 @@ struct SobolSamples {
             if (all || is_near(column, row, {pixel, first + i, points[first + i]}))
                 visit(pixel, first + i, points[first + i]);
     }
-    // The average of path(ray, random) over the samples.
-    template <class AnyCamera, class Path>
-    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
-        ColorSum sum;
+    // Calls keep(offset, light) for each sample: `offset` is its position in the pixel, and `light`
+    // is the result of path(ray, random).
+    template <class AnyCamera, class Path, class Keep>
+    void each(const AnyCamera& camera, int column, int row, const Path& path,
+              const Keep& keep) const {
         each(column, row, [&](const auto&... parts) {
             SobolRandom random{parts...};
             const Vec2 offset = random_place(random);
-            const Color light = path(make_ray(camera, column, row, offset, random), random);
-            if (keep)
-                (*keep)(offset, light);
-            else
-                sum.add(light);
+            keep(offset, path(make_ray(camera, column, row, offset, random), random));
         });
+    }
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
+        ColorSum sum;
+        each(camera, column, row, path, [&](Vec2, const Color& light) { sum.add(light); });
         return sum.mean(count);
     }
 

@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <functional>
 #include <memory>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
@@ -12,6 +11,20 @@
 #include <rt/tile.hpp>
 
 namespace rt {
+
+// Sobol's points of a pixel (given). Instead of averaging the samples, KeptSamples calls
+// keep(offset, light) for each of them.
+template <class Keep>
+struct KeptSamples {
+    SobolSamples samples;
+    const Keep& keep;
+
+    template <class AnyCamera, class Path>
+    Color average(const AnyCamera& camera, int column, int row, const Path& path) const {
+        samples.each(camera, column, row, path, keep);
+        return {};
+    }
+};
 
 // The samples of a tile, weighted with a tent as the reconstruction filter (given). A sample counts
 // for every pixel whose middle is less than one pixel away, both across and down: at the distance
@@ -82,11 +95,8 @@ void draw_with_tent(const AnyRenderer& renderer, SobolSamples samples, const Til
     TentSums sums{tile};
     samples.near = tile;
     for_each_pixel(sums.sampled(), [&](int x, int y) {
-        const std::function keep = [&](Vec2 offset, const Color& light) {
-            sums.add(x, y, offset, light);
-        };
-        samples.keep = &keep;
-        renderer(samples, x, y, rays);
+        const auto keep = [&](Vec2 offset, const Color& light) { sums.add(x, y, offset, light); };
+        renderer(KeptSamples<decltype(keep)>{samples, keep}, x, y, rays);
     });
     sums.write(image);
 }
