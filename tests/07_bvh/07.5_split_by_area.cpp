@@ -402,7 +402,7 @@ TEST_CASE("07.5 as many spheres as fit into memory can be split", "[07.5][hard]"
             const int left = rt::split_by_area(order, boxes);
             return left > count / 4 && left < count / 4 * 3 ? "split" : std::to_string(left);
         },
-        10, std::size_t{512} << 10);
+        3, std::size_t{512} << 10);
     INFO(count << " spheres in a row\nHint: an array on the stack, or one of fixed length, is too "
                   "small for the areas of a large scene. A std::vector of as many numbers as there "
                   "are spheres is not. It may also have taken too long");
