@@ -196,7 +196,7 @@ const Meaning meanings[]{
      "Braces alone cannot make the value of a std::optional: write the type of the value before "
      "them, such as `return Roots{one, other};`."},
     {"optional.*(no match for .operator|invalid operands|cannot convert|no viable conversion|"
-     "could not convert)|(no match|invalid operands|cannot convert|"
+     "could not convert|to non-scalar type)|(no match|invalid operands|cannot convert|"
      "no viable conversion|could not convert|invalid initialization of reference|no known "
      "conversion).*optional",
      "One of the two values is a std::optional, which may be empty. Test it with `if (name)`; "
@@ -236,8 +236,10 @@ const Meaning meanings[]{
     {"too few arguments|too many arguments|no matching (member )?function|no matching constructor",
      "No function of this name takes these arguments: compare their number and types with its "
      "declaration."},
+    {"(conversion|convert).*Vec2.* to .*Vec3",
+     "This is a Vec2, which has x and y and no z: declare a Vec2."},
     {"cannot convert|could not convert|no viable conversion|cannot initialize|invalid conversion|"
-     "invalid initialization of reference",
+     "invalid initialization of reference|to non-scalar type",
      "The value has a different type from the one that is needed here."},
     {"narrowing|cannot be narrowed",
      "Within braces, no conversion is allowed to lose digits: convert the value yourself, as in "

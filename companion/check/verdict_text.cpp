@@ -166,6 +166,11 @@ bool says_more(const FailedAssertion& failure) {
     return true;
 }
 
+// Whether a message helps only if the code crashes.
+bool is_about_a_crash(const std::string& message) {
+    return message.find("if this crashes") != std::string::npos;
+}
+
 std::string describe(const FailedAssertion& failure) {
     // If several messages name expected values, the last counts: the others
     // belong to earlier assertions.
@@ -176,7 +181,8 @@ std::string describe(const FailedAssertion& failure) {
     const auto last = std::find_if(messages.rbegin(), messages.rend(), expects);
     std::string text;
     for (const std::string& message : messages)
-        if (!expects(message) || &message == &*last) text += wrapped(readable(message), "    ");
+        if (!is_about_a_crash(message) && (!expects(message) || &message == &*last))
+            text += wrapped(readable(message), "    ");
     if (!failure.expression.empty() && failure.expression != "FAIL" && !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");
         if (says_more(failure)) text += wrapped("actual: " + readable(failure.expanded), "    ");
@@ -189,6 +195,15 @@ std::string describe(const FailedAssertion& failure) {
 std::string describe_all(const TestCase& test) {
     for (const FailedAssertion& failure : test.failures)
         if (const std::string text = describe(failure); !text.empty()) return text;
+    return "";
+}
+
+// What the test case in which the code crashed has to say about that.
+std::string hint_on_crash(const std::vector<TestCase>& tests) {
+    for (const TestCase& test : tests)
+        if ((!test.ended || !test.crash.empty()) && !test.failures.empty())
+            for (const std::string& message : test.failures.back().messages)
+                if (is_about_a_crash(message)) return wrapped(message, "  ");
     return "";
 }
 
@@ -269,8 +284,8 @@ std::string what_is_wrong(const Checked& checked) {
               },
               [&](const Crashed& crashed) {
                   return "It crashes" + where(crashed.tests) + '\n' +
-                         wrapped(crashed.cause + '.', "  ") + warned(checked) + '\n' +
-                         how_to_find_the_line(checked.exercise) +
+                         wrapped(crashed.cause + '.', "  ") + hint_on_crash(crashed.tests) +
+                         warned(checked) + '\n' + how_to_find_the_line(checked.exercise) +
                          before_that(failing_cases(crashed.tests));
               },
               [&](const Left& left) {

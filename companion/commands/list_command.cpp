@@ -100,12 +100,13 @@ int list(const Course& course, const Given&) {
                     stars_of(part).c_str());
         for (const Exercise& exercise : all) {
             const Progress now = progress_of(course, state, exercise);
-            std::printf(
-                "  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
-                exercise.title.c_str(), text(now),
-                now == Progress::core
-                    ? (", " + stars_open(state.exercises.at(exercise.id).open_stars)).c_str()
-                    : "");
+            std::string more;
+            if (now == Progress::core)
+                more = ", " + stars_open(state.exercises.at(exercise.id).open_stars);
+            else if (exercise.is_star() && !passes(now))
+                more = ", all of it a star";  // so the chapter's count leaves it out
+            std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
+                        exercise.title.c_str(), text(now), more.c_str());
         }
         if (chapter.graft)
             std::printf(

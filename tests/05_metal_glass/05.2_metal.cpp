@@ -89,8 +89,13 @@ TEST_CASE("05.2 above_horizon mirrors a direction that points below the surface"
     const auto check = [](Vec3 v, Vec3 expected) {
         const Vec3 computed = rt::above_horizon(v, floor_normal);
         INFO("above_horizon(" << text(v) << ", (0, 1, 0))");
-        HINT(expected, computed,
-             "if the height above the surface, v . normal, is below 0, reverse it; then normalize");
+        HINT(
+            expected, computed,
+            dot(v, floor_normal) < 0
+                ? "the height, v . normal, is below 0: reverse the height alone, and keep the part "
+                  "along the surface; then normalize"
+                : "the height, v . normal, is not below 0: nothing changes, except that the result "
+                  "is normalized");
         CHECK(off_in_epsilons(computed, exact(expected)) <= 8);
     };
     check({3, 4, 0}, {real(0.6), real(0.8), 0});

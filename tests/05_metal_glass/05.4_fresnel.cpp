@@ -104,10 +104,8 @@ TEST_CASE("05.4 the cosine of the refraction angle follows from the law of refra
             INFO("cosine " << text(cosine) << ", eta " << text(eta) << ": light goes through here");
             REQUIRE(computed.has_value());
         }
-        check_error(
-            *computed, surface.beyond(), allowed(surface), eta, cosine,
-            "the cosine of the refraction angle is sqrt(1 - eta^2 (1 - cosine^2)); where that "
-            "cancels, difference_of_products(eta c, eta c, eta - 1, eta + 1) keeps the digits");
+        check_error(*computed, surface.beyond(), allowed(surface), eta, cosine,
+                    "the cosine of the refraction angle is sqrt(1 - eta^2 (1 - cosine^2))");
     });
     CHECK(!rt::refracted_cosine(real(0.5), real(1.5)).has_value());
 }
@@ -125,8 +123,14 @@ TEST_CASE("05.4 for head-on light both formulas give ((1 - eta) / (1 + eta))^2",
             INFO("eta = " << ratio << ": expected ((1 - eta) / (1 + eta))^2 = " << text(real(r * r))
                           << ", actual " << text(fresnel) << " (exact), " << text(schlick)
                           << " (Schlick)");
-            CHECK(is_near(fresnel));
-            CHECK(is_near(schlick));
+            {
+                INFO("Hint: here r_s and r_p have equal squares; the exact value is their mean");
+                CHECK(is_near(fresnel));
+            }
+            {
+                INFO("Hint: with a cosine of 1, Schlick's formula gives r0");
+                CHECK(is_near(schlick));
+            }
         }
 }
 
@@ -179,7 +183,8 @@ TEST_CASE("05.4 Schlick takes the cosine on the side with the lower index", "[05
                     eta, cosine,
                     eta > 1 ? "from the denser side (eta > 1), Schlick's formula takes the cosine "
                               "of the refraction angle"
-                            : "r0 + (1 - r0) (1 - cosine)^5 with r0 = ((1 - eta) / (1 + eta))^2");
+                            : "r0 + (1 - r0) (1 - cosine)^5 with r0 = ((1 - eta) / (1 + eta))^2 "
+                              "and, for eta <= 1, the given cosine");
     });
 }
 

@@ -78,7 +78,8 @@ TEST_CASE("05.5 light enters glass and leaves it by the law of refraction", "[05
             static_cast<double>(rt::rounding_bound(32)))
             hint =
                 "your code reflects this light: reflect only if random.uniform() is less than the "
-                "reflectance, else refract";
+                "reflectance, else refract. The cosine, -dot(incoming, facing_normal(hit)), is "
+                "above 0";
         HINT(expected, bounce->direction, hint);
         if (distance(bounce->direction, expected) > static_cast<double>(rt::rounding_bound(32)))
             CHECK(text(bounce->direction) == text(expected));

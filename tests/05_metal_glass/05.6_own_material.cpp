@@ -106,7 +106,8 @@ void check_direction(const Sample& sample, const Bounce& bounce) {
             "the dot product of the direction and the normal: expected any number but 0, "
             "actual: 0\n"
             "Hint: light must not run along the surface: for light that is reflected, return "
-            "above_horizon(direction, facing_normal(hit))");
+            "above_horizon(direction, facing_normal(hit)), which lifts it if it has the star of "
+            "05.2");
         REQUIRE(cosine != 0);
     }
     REQUIRE(is_right);

@@ -113,14 +113,20 @@ TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
         for (const int workers : {1, 2, 3, 7, 64}) {
             // One more slot, for numbers that belong to no worker.
             std::vector<std::atomic<int>> calls(static_cast<std::size_t>(workers) + 1);
+            std::atomic<int> unknown = 0;
             run_workers(workers, [&](int worker) {
                 const bool known = 0 <= worker && worker < workers;
+                if (!known) unknown = worker;
                 ++calls[static_cast<std::size_t>(known ? worker : workers)];
             });
             for (int worker = 0; worker < workers; ++worker) {
-                INFO("round " << round << ": worker " << worker << " of " << workers
-                              << "\nHint: a thread must have a copy of its number; the loop has "
-                                 "already changed its variable by the time the thread reads it");
+                INFO("round " << round << ": how often work is called for worker " << worker
+                              << " of " << workers);
+                if (calls.back() != 0) UNSCOPED_INFO("a call got the number " << unknown.load());
+                INFO(
+                    "Hint: the numbers are 0 ... workers - 1. A thread must have a copy of its "
+                    "number; the loop has already changed its variable by the time the thread "
+                    "reads it");
                 REQUIRE(calls[static_cast<std::size_t>(worker)] == 1);
             }
             REQUIRE(calls.back() == 0);
@@ -223,8 +229,9 @@ TEST_CASE("06.2 an exception of a worker reaches the caller", "[06.2][hard]") {
         });
     });
     INFO(
-        "render_slices with work that throws 1, 5, 9 and 13.\nHint: run_workers handles "
-        "exceptions; render_slices only calls it");
+        "render_slices with work that throws 1, 5, 9 and 13, by workers 0 to 3.\nHint: of several "
+        "exceptions, run_workers rethrows that of the worker with the lowest number; render_slices "
+        "only calls it");
     CHECK(actual == name_of(1));
 }
 

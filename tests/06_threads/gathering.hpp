@@ -82,6 +82,11 @@ class Roll {
     MeetingPlace place_;
 };
 
+inline std::string text(const rt::Tile& tile) {
+    return "columns " + std::to_string(tile.left) + " to " + std::to_string(tile.right) +
+           " of rows " + std::to_string(tile.top) + " to " + std::to_string(tile.bottom);
+}
+
 // Counts how often each pixel of a picture is rendered, and what else a Strategy may get wrong.
 class PixelCounts {
   public:
@@ -100,7 +105,7 @@ class PixelCounts {
             if (is_worker && busy_[static_cast<std::size_t>(worker)]++) ++overlapping_workers;
             const bool inside = 0 <= tile.left && tile.right <= grid_.width && 0 <= tile.top &&
                                 tile.bottom <= grid_.height;
-            if (!inside) ++outside;
+            if (!inside && !outside++) first_outside_ = tile;
             if (tile.left >= tile.right || tile.top >= tile.bottom) ++empty;
             if (inside)
                 for (int y = tile.top; y < tile.bottom; ++y)
@@ -112,8 +117,10 @@ class PixelCounts {
             --busy_[static_cast<std::size_t>(worker)];
     }
 
-    // The first pixel that was not rendered once, in words; empty if there is none.
+    // The first tile that is outside the picture or the first pixel that was not rendered once, in
+    // words; empty if there is none.
     std::string complaint() const {
+        if (outside > 0) return "a tile has " + text(first_outside_);
         for (int y = 0; y < grid_.height; ++y)
             for (int x = 0; x < grid_.width; ++x)
                 if (const int count = counts_[index(x, y)]; count != 1)
@@ -131,29 +138,30 @@ class PixelCounts {
     }
 
     rt::TileGrid grid_;
+    rt::Tile first_outside_{};
     std::vector<int> counts_;
     std::vector<int> busy_;
     std::mutex mutex_;
 };
 
 // Checks all of that, after the work.
-#define CHECK_RENDERED_ONCE(counts)                                                     \
-    {                                                                                   \
-        INFO(                                                                           \
-            "Hint: 'outside' counts tiles that reach over the picture's edge, 'empty' " \
-            "those without a pixel, 'unknown_workers' numbers that are not 0 ... "      \
-            "workers - 1, 'overlapping_workers' calls that ran at the same time under " \
-            "one number");                                                              \
-        CHECK((counts).complaint() == "");                                              \
-        CHECK((counts).outside == 0);                                                   \
-        CHECK((counts).empty == 0);                                                     \
-        CHECK((counts).unknown_workers == 0);                                           \
-        CHECK((counts).overlapping_workers == 0);                                       \
+#define CHECK_RENDERED_ONCE(counts)                                                             \
+    {                                                                                           \
+        {                                                                                       \
+            INFO(                                                                               \
+                "Hint: a tile is {left, top, right, bottom}, and ends where the picture ends. " \
+                "Each tile has one worker");                                                    \
+            CHECK((counts).complaint() == "");                                                  \
+        }                                                                                       \
+        INFO(                                                                                   \
+            "Hint: 'outside' counts tiles that reach over the picture's edge, 'empty' "         \
+            "those without a pixel, 'unknown_workers' numbers that are not 0 ... "              \
+            "workers - 1, 'overlapping_workers' calls that ran at the same time under "         \
+            "one number");                                                                      \
+        CHECK((counts).outside == 0);                                                           \
+        CHECK((counts).empty == 0);                                                             \
+        CHECK((counts).unknown_workers == 0);                                                   \
+        CHECK((counts).overlapping_workers == 0);                                               \
     }
-
-inline std::string text(const rt::Tile& tile) {
-    return "columns " + std::to_string(tile.left) + " to " + std::to_string(tile.right) +
-           " of rows " + std::to_string(tile.top) + " to " + std::to_string(tile.bottom);
-}
 
 }  // namespace checkpoint

@@ -82,6 +82,10 @@ TEST_CASE("07.2 the union of two boxes contains both", "[07.2]") {
     check(a, b, expected, hint);
     check(b, a, expected, hint);
     check(a, a, a, hint);
+    // All twelve numbers are different, and each of the six results is the only right one.
+    const Box low{{-9, -8, -7}, {1, 2, 3}}, high{{-3, -2, -1}, {7, 8, 9}};
+    check(low, high, {{-9, -8, -7}, {7, 8, 9}}, hint);
+    check(high, low, {{-9, -8, -7}, {7, 8, 9}}, hint);
     const Box inside{{Real(0.25), Real(0.25), Real(0.25)}, {Real(0.5), Real(0.5), Real(0.5)}};
     check(a, inside, a, hint);
     check(inside, a, a, hint);

@@ -311,6 +311,26 @@ TEST_CASE("07.3 every sphere is in exactly one leaf", "[07.3]") {
     }
 }
 
+TEST_CASE("07.3 the function split decides how many spheres go to the left", "[07.3]") {
+    const auto boxes = rt::bounds_of(random_spheres(12));
+    auto order = numbers(boxes.size());
+    const auto split = [](std::span<int> part, std::span<const Box>) {
+        return static_cast<int>(part.size()) <= rt::leaf_size ? 0 : 2;
+    };
+    const auto root = rt::build_node(std::span{order}, 0, std::span{boxes}, split);
+    std::vector<int> counts;
+    const rt::TreeNode* node = root.get();
+    for (; node->left && node->right; node = node->right.get())
+        counts.push_back(node->left->is_leaf() ? node->left->count : -1);
+    counts.push_back(node->count);
+    INFO(
+        "12 spheres, and a split that always puts 2 to the left, until 4 are left; the values are "
+        "how many spheres the leaves hold, from left to right, or -1 for a node that is no leaf.\n"
+        "Hint: call split, the argument of build_node, and pass it on to both children; another "
+        "function than split_in_half may stand behind it");
+    CHECK(counts == std::vector<int>{2, 2, 2, 2, 4});
+}
+
 TEST_CASE("07.3 the tree follows the results of any split", "[07.3][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(400));
     for (int shape = 0; shape < 6; ++shape)

@@ -50,10 +50,13 @@ inline int check_places(const rt::TreeNode& node, int first) {
         return left + check_places(*node.right, first + left);
     }
     if (node.first != first || node.count < 1) {
-        INFO("a leaf holds " << node.count << " spheres from index " << node.first
-                             << " on; expected 1 or more from index " << first
-                             << " on, where the leaves to the left of it end.\nHint: the right "
-                                "part begins at first + how many went to the left");
+        INFO("a leaf holds "
+             << node.count << " spheres from index " << node.first
+             << " on; expected 1 or more from index " << first
+             << " on, where the leaves to the left of it end.\nHint: "
+             << (node.first == first
+                     ? "a leaf's count is order.size()"
+                     : "the right part begins at first + how many went to the left"));
         REQUIRE(node.first == first);
         REQUIRE(node.count >= 1);
     }

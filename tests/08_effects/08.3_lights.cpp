@@ -119,14 +119,18 @@ void check_middle(const Sphere& light, Vec3 from) {
         INFO("place.x = 0 must lead to the light's center, in the direction "
              << text(apart / distance) << ", but yours gives " << text(sample.direction)
              << ".\nHint: orthonormal_basis(w) with w = (center - from) / d, of length 1, turns "
-                "(0, 0, 1) there");
+                "(0, 0, 1) there; here k is 0, and so is the sine");
         if (!(max_component(sample.direction - apart / distance) <= rt::rounding_bound(30)))
             REQUIRE(text(sample.direction) == text(apart / distance));
     }
-    HINT(exact(way), sample.distance,
-         "the distance to the nearest point of the light is d - r; close to the light, the "
-         "difference of d cos and the root has no digits left: use the form with (d - r) (d + r) "
-         "in the numerator");
+    HINT(
+        exact(way), sample.distance,
+        distance > 2 * light.radius
+            ? "the distance to the nearest point of the light is d - r: of the two solutions, take "
+              "the one with the minus"
+            : "the distance to the nearest point of the light is d - r; close to the light, the "
+              "difference of d cos and the root has no digits left: use the form with (d - r) (d + "
+              "r) in the numerator");
     check_near(sample.distance, way, rt::rounding_bound(30) * way);
 }
 
@@ -207,7 +211,7 @@ TEST_CASE("08.3 cone_height returns the height of the cap that a light covers", 
     // A light as far away as its diameter is seen at 30 degrees to each side.
     {
         HINT(Exact(1) - sqrt(Exact(3)) / Exact(2), rt::cone_height(1, 2),
-             "sin a = radius / distance");
+             "the height is 1 - cos a, with sin a = radius / distance");
         check_near(rt::cone_height(1, 2), 1 - std::sqrt(Real(3)) / 2, 4 * rt::epsilon);
     }
     for (int i = 1; i < 60; ++i) check_height(static_cast<Real>(i) / 60, 1);

@@ -153,6 +153,10 @@ TEST_CASE("08.5 point and normal are in world space", "[08.5]") {
         INFO("the ray came from outside: front must be true");
         CHECK(hit.front);
     }
+    {
+        INFO("point_error must be instance_error(instance, point), with the point in the world");
+        CHECK(hit.point_error == rt::instance_error(instance, hit.point));
+    }
     INFO("the material must be the instance's: 7");
     CHECK(hit.material == 7);
     const Hit inside = rt::surface_hit(instance, {{5, 0, 0}, {0, 1, 0}}, 1);

@@ -35,6 +35,15 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("suggest parentheses around comparison in operand of '==' [-Wparentheses]",
                "to set a value, write `=`"));
     CHECK(says("no matching function for call to 'max(float&, double)'", "`Real(0)`"));
+    CHECK(says("conversion from 'rt::Vec2' to non-scalar type 'const rt::Vec3' requested",
+               "declare a Vec2"));
+    CHECK(says("no viable conversion from 'rt::Vec2' to 'const rt::Vec3'", "declare a Vec2"));
+    CHECK(
+        says("conversion from 'std::optional<rt::Vec3>' to non-scalar type 'const rt::Vec3' "
+             "requested",
+             "std::optional"));
+    CHECK(says("conversion from 'rt::Rows' to non-scalar type 'rt::Tile' requested",
+               "a different type"));
     CHECK(says("no matching function for call to 'min'", "`Real(0)`"));
     CHECK(says("no matching function for call to 'max(rt::Pack&, double)'", "without std::"));
     CHECK(says("binding reference of type 'rt::Color&' to 'const rt::Color' discards qualifiers",

@@ -204,8 +204,9 @@ class EventReporter : public Catch::StreamingReporterBase {
     void report(const Catch::AssertionStats& stats) {
         const Catch::AssertionResult& result = stats.assertionResult;
         const bool crashes = result.getResultType() == Catch::ResultWas::FatalErrorCondition;
-        // There is no more to say about a crash before the first assertion.
-        if (!result.isOk() && (!crashes || result.hasExpression())) write(failure(stats));
+        // There is no more to say about a crash before the first assertion, unless a hint is there.
+        if (!result.isOk() && (!crashes || result.hasExpression() || !stats.infoMessages.empty()))
+            write(failure(stats));
         if (crashes)
             write({{"event", "crashes"},
                    {"cause", std::string{result.getMessage()}},
