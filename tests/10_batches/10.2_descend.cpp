@@ -72,10 +72,13 @@ struct LoggedTree {
         std::uint8_t always = 0;  // children that every ray meets
     };
     std::vector<Node> nodes;
+    std::int32_t first_node = 0;  // its number
     std::uint32_t seed = 0;
     std::vector<Question> log;
 
-    const Node& at(std::int32_t node) const { return nodes[static_cast<std::size_t>(node)]; }
+    const Node& at(std::int32_t node) const {
+        return nodes.at(static_cast<std::size_t>(node - first_node));
+    }
     // Whether a ray meets a child's box: arbitrary, but always the same.
     std::uint8_t mask(std::int32_t node, std::uint32_t ray) const {
         const std::uint64_t random =
@@ -117,7 +120,7 @@ struct Shape {
     bool root_last = false;  // children have lower numbers than their parent; one of them is node 0
 };
 
-// The number of a node of this shape; the numbers of leaves are 0, 1, 2 ...
+// The number of a node of this shape. The leaves are numbered, too.
 std::int32_t grow(LoggedTree& tree, rt::Rng& rng, Shape shape, std::int32_t& leaves) {
     std::size_t number = tree.nodes.size();
     if (!shape.root_last) tree.nodes.emplace_back();
@@ -138,7 +141,7 @@ std::int32_t grow(LoggedTree& tree, rt::Rng& rng, Shape shape, std::int32_t& lea
         tree.nodes.emplace_back();
     }
     tree.nodes[number] = node;
-    return static_cast<std::int32_t>(number);
+    return tree.first_node + static_cast<std::int32_t>(number);
 }
 
 void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_chain = false) {
@@ -146,6 +149,7 @@ void check_descend(int levels, std::uint64_t seed, std::size_t rays, bool is_cha
     LoggedTree tree;
     tree.seed = rng();
     std::int32_t leaves = 0;
+    if (seed % 4 > 1) leaves = tree.first_node = 1'000'000;  // more than 16 bits can count
     const std::int32_t root = grow(tree, rng, {levels, is_chain, seed % 2 == 1}, leaves);
     Rays list(rays);
     for (std::uint32_t& ray : list) ray = rng() % 100'000;

@@ -389,12 +389,17 @@ TEST_CASE("11.6 any picture is filtered correctly", "[11.6]") {
 
 TEST_CASE("11.6 pictures of one pixel or row work with any radius", "[11.6][hard]") {
     rt::Rng rng{116, 5};
-    for (const auto& [width, height] : {std::pair{1, 1}, {20, 1}, {1, 17}, {3, 4}})
-        for (const int radius : {0, 1, 9, 1000, std::numeric_limits<int>::max()})
+    for (const auto& [width, height] :
+         {std::pair{1, 1}, {20, 1}, {1, 17}, {3, 4}, {300, 1}, {1, 40}})
+        for (const int radius : {0, 1, 9, 200, std::numeric_limits<int>::max()}) {
+            DenoiseWidths widths = any_widths(rng, radius);
+            if (width + height > 21) widths.space = 100;  // pixels far away count, too
             check_denoised(
-                any_scene(rng, width, height), any_widths(rng, radius),
-                "the box around the pixel ends at the border of the picture. Compare the radius "
-                "with the distance to the border, width - 1 - x: x + radius may overflow");
+                any_scene(rng, width, height), widths,
+                "all pixels within the radius count, however large it is, and the box around the "
+                "pixel ends at the border of the picture. Compare the radius with the distance to "
+                "the border, width - 1 - x: x + radius may overflow");
+        }
 }
 
 TEST_CASE("11.6 pictures with an albedo of 0 or nearly 0 are filtered correctly", "[11.6][hard]") {

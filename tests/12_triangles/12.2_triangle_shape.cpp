@@ -126,14 +126,16 @@ TEST_CASE("12.2 the triangles of a mesh keep their order and get consecutive num
     rt::Mesh mesh;
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     mesh.triangles = {{rt::Corner{0}, {1}, {2}}, {rt::Corner{3}, {2}, {1}}};
-    const auto all = rt::triangles_of(mesh, 5, 100);
-    INFO("the mesh has two triangles over four points, of material 5, numbered from 100 on");
+    const auto all = rt::triangles_of(mesh, 70'000, 16'777'216);
+    INFO(
+        "the mesh has two triangles over four points, of material 70000, numbered from 16777216 on."
+        "\nHint: an index is an int; a smaller type, or a float, cuts it short");
     REQUIRE(all.size() == 2);
     CHECK(text(all[0].shape) == text(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     CHECK(text(all[1].shape) == text(Triangle{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
     for (std::size_t i = 0; i < 2; ++i) {
-        CHECK(all[i].material == 5);
-        CHECK(all[i].number == 100 + static_cast<int>(i));
+        CHECK(all[i].material == 70'000);
+        CHECK(all[i].number == 16'777'216 + static_cast<int>(i));
     }
     CHECK(rt::triangles_of({}, 0, 0).empty());
 }

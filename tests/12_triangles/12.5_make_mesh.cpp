@@ -27,7 +27,7 @@ Vec3 normal_of(const Mesh& mesh, const Corner& corner) {
     return corner.normal < 0 ? Vec3{} : mesh.normals.at(static_cast<std::size_t>(corner.normal));
 }
 
-void check_refused(const Polygons& polygons, const std::string& words, const char* what) {
+void check_refused(const Polygons& polygons, const std::string& words, const std::string& what) {
     INFO(what << " must be refused: throw a std::invalid_argument whose message contains '" << words
               << "'");
     std::string said = "nothing was thrown";
@@ -78,7 +78,7 @@ TEST_CASE("12.5 a square becomes two triangles", "[12.5]") {
 }
 
 TEST_CASE("12.5 polygons with any number of corners keep the order of their corners", "[12.5]") {
-    for (int n = 3; n <= 9; ++n) {
+    for (const int n : {3, 4, 5, 6, 7, 8, 9, 300}) {
         Polygons all;
         double area = 0;
         for (int i = 0; i < n; ++i) {
@@ -133,14 +133,27 @@ TEST_CASE("12.5 indices out of range are refused", "[12.5]") {
         all.polygons = {corners({0, 1, 2}), corners({0, 2, 3}), polygon, corners({0, 1, 2})};
         return all;
     };
-    check_refused(with_third(corners({0, 1, 4})), "polygon 3", "a point beyond the last");
-    check_refused(with_third(corners({0, -1, 2})), "polygon 3", "a point before the first");
-    check_refused(with_third({{0, 0}, {1, 1}, {2, 0}}), "polygon 3", "a normal beyond the last");
-    check_refused(with_third({{0, 0}, {1, -2}, {2, 0}}), "polygon 3", "a normal with the index -2");
-    check_refused(with_third({{0, 0, 0}, {1, 0, 0}, {2, 0, 1}}), "polygon 3",
-                  "texture coordinates beyond the last");
-    check_refused(with_third({{0, 0, -2}, {1, 0, 0}, {2, 0, 0}}), "polygon 3",
-                  "texture coordinates with the index -2");
+    // As any of five corners.
+    const auto check_corner = [&](const Corner& wrong, const std::string& what) {
+        for (int place = 0; place < 5; ++place) {
+            std::vector<Corner> polygon{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}};
+            polygon.insert(polygon.begin() + place, wrong);
+            check_refused(with_third(polygon), "polygon 3",
+                          what + " at corner " + std::to_string(place + 1) + " of 5");
+        }
+    };
+    const std::string only = " (-1 stands for none, and no other index below 0 does)";
+    check_corner({4, 0, 0}, "a point beyond the last");
+    check_corner({65'536, 0, 0}, "the point 65536 of 4");
+    check_corner({-1, 0, 0}, "a point before the first");
+    check_corner({0, 1, 0}, "a normal beyond the last");
+    check_corner({0, 65'536, 0}, "the normal 65536 of 1");
+    check_corner({0, -2, 0}, "a normal with the index -2" + only);
+    check_corner({0, -65'536, 0}, "a normal with the index -65536" + only);
+    check_corner({0, 0, 1}, "texture coordinates beyond the last");
+    check_corner({0, 0, 65'536}, "texture coordinates 65536 of 1");
+    check_corner({0, 0, -2}, "texture coordinates with the index -2" + only);
+    check_corner({0, 0, -65'536}, "texture coordinates with the index -65536" + only);
     INFO("the index -1 is allowed: it says that a corner has no normal or no texture coordinates");
     CHECK(rt::make_mesh(with_third({{1, -1, 0}, {0, 0, -1}, {3}})).triangles.size() == 4);
 }
@@ -148,10 +161,36 @@ TEST_CASE("12.5 indices out of range are refused", "[12.5]") {
 TEST_CASE("12.5 polygons with too few corners are refused", "[12.5]") {
     for (const auto& few : {corners({}), corners({0}), corners({0, 1})}) {
         Polygons all = square();
+        all.polygons.resize(299, corners({0, 1, 2}));
         all.polygons.push_back(few);
-        check_refused(all, "polygon 2", "a polygon with fewer than three corners");
+        check_refused(all, "polygon 300", "a polygon with fewer than three corners");
     }
     CHECK(rt::make_mesh({}).triangles.empty());
+}
+
+TEST_CASE("12.5 a mesh may have many points", "[12.5]") {
+    constexpr int first = 70'000;  // of the points that are used
+    Polygons all;
+    all.points.resize(first);
+    for (const Vec3& point : square().points) all.points.push_back(point);
+    all.normals.assign(first, {0, 1, 0});
+    all.normals.push_back({1, 0, 0});
+    all.polygons = {{{first, first}, {first + 1}, {first + 2}, {first + 3}}};
+    Mesh mesh = rt::make_mesh(all);
+    rt::add_normals(mesh);
+    REQUIRE(mesh.triangles.size() == 2);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            const Vec3 expected = corner.point == first ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+            const Vec3 actual = normal_of(mesh, corner);
+            INFO(
+                "a square after 70,000 points and normals that it does not use; the corner at "
+                "point "
+                << corner.point);
+            HINT(expected, actual, "the indices are numbers of type int; no smaller type will do");
+            REQUIRE(corner.point >= first);
+            CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
+        }
 }
 
 TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {

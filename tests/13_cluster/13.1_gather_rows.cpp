@@ -63,7 +63,7 @@ TEST_CASE("13.1 the rows of all ranks arrive in the right order", "[13.1]") {
     for (const int count : {1, 2, 3, 4})
         on_ranks(count, [](MPI_Comm ranks) {
             for (const auto& [width, height] :
-                 {std::pair{3, 12}, {5, 10}, {16, 9}, {1, 7}, {40, 31}})
+                 {std::pair{3, 12}, {5, 10}, {16, 9}, {1, 7}, {40, 31}, {1, 70'000}})
                 if (const std::string wrong = gather(width, height, ranks); !wrong.empty())
                     return wrong;
             return std::string{};

@@ -88,7 +88,7 @@ TEST_CASE("13.2 the counter starts at 0 and returns its value before adding", "[
             // In turns.
             for (int rank = 0, expected = 0; rank < rt::rank_count(ranks); ++rank) {
                 if (rank == rt::rank_of(ranks))
-                    for (const int n : {1, 10, 100}) {
+                    for (const int n : {1, 10, 100'000}) {
                         const std::string differ =
                             differs("before " + std::to_string(n) + " is added", expected,
                                     counter.fetch_add(n),
@@ -98,7 +98,7 @@ TEST_CASE("13.2 the counter starts at 0 and returns its value before adding", "[
                         expected += n;
                     }
                 else
-                    expected += 111;
+                    expected += 100'011;
                 MPI_Barrier(ranks);
             }
             return wrong;

@@ -19,10 +19,15 @@ std::vector<Color> tile_of(int tile, int size) {
     return pixels;
 }
 
-// Receives so many tiles, each of which must be `tile_of` its number; `sizes` says how large it is.
+int from_rank_1(int tile) {
+    return tile >= 1 && tile <= 100;
+}
+
+// Receives so many tiles, each of which must be `tile_of` its number. `size_of` says how large it
+// is, and `sender_of` which rank sends it: 0 if there is no such tile.
 std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)>& size_of,
                     const std::function<int(int tile)>& sender_of) {
-    std::vector<int> times(100);
+    std::set<int> known;
     const double begin = MPI_Wtime();
     for (int i = 0; i < count;) {
         if (MPI_Wtime() - begin > 2)
@@ -36,26 +41,33 @@ std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)
         ++i;
         const auto& [tile, from, pixels] = *arrived;
         const std::string name = "tile " + std::to_string(tile);
-        if (tile < 1 || tile >= 100 || ++times[static_cast<std::size_t>(tile)] != 1)
+        if (sender_of(tile) == 0 || !known.insert(tile).second)
             return "a tile has the number " + std::to_string(tile) +
                    ", but no such tile was sent, or it has arrived before\nHint: the tag of a "
                    "message is the number of its tile";
         if (from != sender_of(tile))
             return name + ": expected from rank " + std::to_string(sender_of(tile)) +
                    ", actual from rank " + std::to_string(from) +
-                   "\nHint: status.MPI_SOURCE is the sender";
+                   "\nHint: status.MPI_SOURCE is the sender, and the tag is the number of the tile";
         if (static_cast<int>(pixels.size()) != size_of(tile))
             return name + ": expected " + std::to_string(size_of(tile)) + " pixels, actual " +
                    std::to_string(pixels.size()) +
                    "\nHint: MPI_Get_count tells you how many there are";
         const std::vector<Color> expected = tile_of(tile, size_of(tile));
-        for (std::size_t k = 0; k < pixels.size(); ++k)
-            if (!(pixels[k] == expected[k]))
-                return name + ", pixel " + std::to_string(k) + ": expected red " +
-                       text(expected[k].r) + " and green " + text(expected[k].g) + ", actual " +
-                       text(pixels[k].r) + " and " + text(pixels[k].g) +
-                       "\nHint: MPI reads the pixels until the message has been sent; until then, "
-                       "they must neither be destroyed nor move";
+        for (std::size_t k = 0; k < pixels.size(); ++k) {
+            if (pixels[k] == expected[k]) continue;
+            const int red = static_cast<int>(pixels[k].r);  // whose tile is it?
+            const bool is_of_other = red >= 0 && sender_of(red) != 0 && sender_of(red) != from;
+            return name + ", pixel " + std::to_string(k) + ": expected red " + text(expected[k].r) +
+                   " and green " + text(expected[k].g) + ", actual " + text(pixels[k].r) + " and " +
+                   text(pixels[k].g) + "\nHint: " +
+                   (is_of_other
+                        ? "these are the pixels of tile " + std::to_string(red) +
+                              ", from another rank. Receive the very message that you have found: "
+                              "pass status.MPI_SOURCE and status.MPI_TAG to MPI_Recv"
+                        : "MPI reads the pixels until the message has been sent; until then, they "
+                          "must neither be destroyed nor move");
+        }
     }
     return {};
 }
@@ -74,12 +86,17 @@ void use_memory_again() {
 
 TEST_CASE("13.3 tiles arrive whole with their numbers and senders", "[13.3]") {
     on_ranks(4, [](MPI_Comm ranks) {
-        const auto size_of = [](int tile) { return tile % 2 == 0 ? large : tile; };
-        if (rt::rank_of(ranks) == 0)
-            return receive(ranks, 15, size_of, [](int tile) { return tile / 10; });
+        // The tiles of rank 1 are 0, 6009, 12018 ..., those of rank 2 are 1, 6010, 12019 ...
+        const auto size_of = [](int tile) {
+            return tile == 0 ? 70'000 : tile % 2 == 0 ? large : 1 + tile % 7;
+        };
+        const auto sender_of = [](int tile) {
+            return tile >= 0 && tile % 6009 < 3 ? 1 + tile % 6009 : 0;
+        };
+        if (rt::rank_of(ranks) == 0) return receive(ranks, 15, size_of, sender_of);
         TileSender sender{ranks};
         for (int i = 0; i < 5; ++i) {
-            const int tile = 10 * rt::rank_of(ranks) + i;
+            const int tile = 6009 * i + rt::rank_of(ranks) - 1;
             sender.send(tile, tile_of(tile, size_of(tile)));
         }
         sender.finish();
@@ -89,24 +106,29 @@ TEST_CASE("13.3 tiles arrive whole with their numbers and senders", "[13.3]") {
 
 TEST_CASE("13.3 sending does not wait for rank 0", "[13.3]") {
     on_ranks(2, [](MPI_Comm ranks) {
-        std::string wrong;
+        constexpr int tiles = 40, all_are_sent = 1000;
         if (rt::rank_of(ranks) == 1) {
             TileSender sender{ranks};
-            const double begin = MPI_Wtime();
-            for (int tile = 1; tile <= 3; ++tile) sender.send(tile, tile_of(tile, large));
-            if (MPI_Wtime() - begin > 0.15)
-                wrong =
-                    "rank 0 begins to receive after 0.3 s: expected that send returns before that, "
-                    "actual: it returned after " +
-                    std::to_string(MPI_Wtime() - begin) +
-                    " s\nHint: MPI_Send waits; MPI_Isend only begins to send, and returns";
+            for (int tile = 1; tile <= tiles; ++tile) sender.send(tile, tile_of(tile, large));
+            MPI_Send(nullptr, 0, MPI_INT, 0, all_are_sent, ranks);
             use_memory_again();
             sender.finish();
-            return wrong;
+            return std::string{};
         }
-        std::this_thread::sleep_for(milliseconds{300});
-        return receive(
-            ranks, 3, [](int) { return large; }, [](int) { return 1; });
+        TileSender{ranks}.finish();  // of nothing: it does not wait
+        int has_returned = 0;
+        for (int i = 0; i < 500 && !has_returned; ++i) {
+            std::this_thread::sleep_for(milliseconds{2});
+            MPI_Iprobe(1, all_are_sent, ranks, &has_returned, MPI_STATUS_IGNORE);
+        }
+        if (has_returned) MPI_Recv(nullptr, 0, MPI_INT, 1, all_are_sent, ranks, MPI_STATUS_IGNORE);
+        const std::string wrong = receive(
+            ranks, tiles, [](int) { return large; }, from_rank_1);
+        if (has_returned) return wrong;
+        return std::string{
+            "rank 1 sends 40 tiles, and rank 0 receives none yet: expected that send returns all "
+            "the same, actual: after 1 s, rank 1 is still waiting\nHint: MPI_Send waits; MPI_Isend "
+            "only begins to send, and returns"};
     });
 }
 
@@ -133,9 +155,15 @@ TEST_CASE("13.3 finish waits until all messages have been sent", "[13.3]") {
     for (const int count : {1, 2})
         on_ranks(2, [count](MPI_Comm ranks) {
             if (rt::rank_of(ranks) == 0) {
+                TileSender{ranks}.finish();  // of nothing: it does not wait
+                // The second tile comes before the first.
+                std::vector<Color> pixels(large);
+                for (int tile = count; tile > 1; --tile)
+                    MPI_Recv(pixels.data(), large, rt::mpi_color(), 1, tile, ranks,
+                             MPI_STATUS_IGNORE);
                 std::this_thread::sleep_for(milliseconds{200});
                 return receive(
-                    ranks, count, [](int) { return large; }, [](int) { return 1; });
+                    ranks, 1, [](int) { return large; }, from_rank_1);
             }
             TileSender sender{ranks};
             for (int tile = 1; tile <= count; ++tile) sender.send(tile, tile_of(tile, large));
@@ -145,7 +173,8 @@ TEST_CASE("13.3 finish waits until all messages have been sent", "[13.3]") {
             std::string wrong;
             if (waited < 0.1)
                 wrong =
-                    "rank 0 begins to receive after 0.2 s: expected that finish waits until then, "
+                    "rank 0 receives tile 1 only after 0.2 s: expected that finish waits until "
+                    "then, "
                     "actual: it returned after " +
                     std::to_string(waited) + " s\nHint: call MPI_Wait for each message";
             else if (sender.kept() != 0)
@@ -165,7 +194,7 @@ TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
         MPI_Barrier(ranks);
         if (rt::rank_of(ranks) == 0 && wrong.empty())
             wrong = receive(
-                ranks, 1, [](int) { return small; }, [](int) { return 1; });
+                ranks, 1, [](int) { return small; }, from_rank_1);
         if (rt::rank_of(ranks) == 1) sender.send(1, tile_of(1, small));
         sender.finish();
         return wrong;
@@ -177,11 +206,11 @@ TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
         constexpr int count = 40;
         if (rt::rank_of(ranks) == 0) {
             std::string wrong = receive(
-                ranks, count, [](int) { return large; }, [](int) { return 1; });
+                ranks, count, [](int) { return large; }, from_rank_1);
             MPI_Barrier(ranks);
             if (wrong.empty())
                 wrong = receive(
-                    ranks, 8, [](int) { return small; }, [](int) { return 1; });
+                    ranks, 8, [](int) { return small; }, from_rank_1);
             return wrong;
         }
         TileSender sender{ranks};

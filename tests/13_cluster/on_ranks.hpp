@@ -21,6 +21,7 @@
 #include <optional>
 #include <rt/ranks.hpp>
 #include <rt/todo.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -84,7 +85,8 @@ class Mpi {
 inline void work_as_rank(const std::string& call, int count, const RankWork& work) {
     static const Mpi mpi;
     const fs::path folder = folder_of_ranks();
-    const int rank = rt::rank_of(MPI_COMM_WORLD);
+    // Numbered backward in the group: so it shows if an answer asks MPI_COMM_WORLD instead.
+    const int rank = most_ranks - 1 - rt::rank_of(MPI_COMM_WORLD);
     MPI_Comm group = MPI_COMM_NULL;
     MPI_Comm_split(MPI_COMM_WORLD, rank < count ? 0 : MPI_UNDEFINED, rank, &group);
     if (rank == 0) {
@@ -268,7 +270,8 @@ inline void on_ranks(int count, const RankWork& work) {
         if (!all[static_cast<std::size_t>(rank)])
             wrong = "Rank " + std::to_string(rank) + " of " + std::to_string(count) +
                     " did not finish: it crashed, or it is still waiting for another rank.\nHint: "
-                    "do all ranks make the same calls, and is each message received?";
+                    "do all ranks make the same calls, in the group `ranks` and not in "
+                    "MPI_COMM_WORLD? Is each message received?";
     if (!wrong.empty()) FAIL(wrong);
     SUCCEED();
 }

@@ -453,7 +453,7 @@ def limit(process, seconds):
     """Ends a program after so many seconds of processor time, rounded up: an endless loop ends however busy the machine is.
     The program runs already, since preexec_fn, by which it would begin with its limits, takes longer than most mutants."""
     # Filling more memory would take most of the time of some exercises.
-    limits = {resource.RLIMIT_DATA: 1 << 30, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: math.ceil(seconds)}
+    limits = {resource.RLIMIT_DATA: 2 << 30, resource.RLIMIT_CORE: 0, resource.RLIMIT_CPU: math.ceil(seconds)}
     for kind, most in limits.items():
         with contextlib.suppress(ProcessLookupError):
             resource.prlimit(process.pid, kind, (most, most))
