@@ -174,8 +174,7 @@ TEST_CASE("13.3 finish waits until all messages have been sent", "[13.3]") {
             if (waited < 0.1)
                 wrong =
                     "rank 0 receives tile 1 only after 0.2 s: expected that finish waits until "
-                    "then, "
-                    "actual: it returned after " +
+                    "then, actual: it returned after " +
                     std::to_string(waited) + " s\nHint: call MPI_Wait for each message";
             else if (sender.kept() != 0)
                 wrong = "after finish: expected 0 kept messages, actual " +
