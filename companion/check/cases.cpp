@@ -77,9 +77,8 @@ bool is_complete(const Cases& cases, const Report& report) {
 }  // namespace
 
 const TestCase* Tested::ended_in() const {
-    const auto found = std::find_if(tests.begin(), tests.end(), [](const TestCase& test) {
-        return !test.crash.empty() || !test.ended;
-    });
+    const auto found = std::find_if(tests.begin(), tests.end(),
+                                    [](const TestCase& test) { return test.broke_off(); });
     return found == tests.end() ? nullptr : &*found;
 }
 

@@ -93,7 +93,7 @@ bool is_caught(const Course& course, const MistakenAnswer& answer,
                const std::vector<TestCase>& tests) {
     const auto is_caught_in = [&](const std::vector<TestCase>& all) {
         return std::any_of(all.begin(), all.end(), [&](const TestCase& test) {
-            return test.name == answer.mistake.caught_by && test.ended && test.crash.empty() &&
+            return test.name == answer.mistake.caught_by && !test.broke_off() &&
                    !test.failures.empty();
         });
     };

@@ -78,7 +78,7 @@ Signature signature_of(const std::vector<TestCase>& tests) {
                            with_rounded_numbers(failure.expanded + '\n' + failure.exception + '\n' +
                                                 last_message(failure))));
         }
-        if (!test.ended || !test.crash.empty()) {
+        if (test.broke_off()) {
             const std::string where = test.name + "\nnever ended";
             signature.where.insert(short_hash(where));
             signature.what.insert(short_hash(where));

@@ -28,6 +28,9 @@ struct TestCase {
     int computed = 0, waited = 0;
     std::string output;  // what it printed
     std::vector<FailedAssertion> failures;
+
+    // Whether the program ended in it.
+    bool broke_off() const { return !ended || !crash.empty(); }
 };
 
 struct Report {

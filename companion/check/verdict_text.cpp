@@ -201,7 +201,7 @@ std::string describe_all(const TestCase& test) {
 // What the test case in which the code crashed has to say about that.
 std::string hint_on_crash(const std::vector<TestCase>& tests) {
     for (const TestCase& test : tests)
-        if ((!test.ended || !test.crash.empty()) && !test.failures.empty())
+        if (test.broke_off() && !test.failures.empty())
             for (const std::string& message : test.failures.back().messages)
                 if (is_about_a_crash(message)) return wrapped(message, "  ");
     return "";
@@ -218,8 +218,8 @@ std::string failing_cases(const std::vector<TestCase>& tests) {
     std::string text, others;
     for (const TestCase& test : tests) {
         if (test.hard || test.passed || !missing_exercise(test).empty()) continue;
-        const bool crashed = !test.ended || !test.crash.empty();
-        if (crashed && describe_all(test).empty()) continue;  // the crash is described elsewhere
+        if (test.broke_off() && describe_all(test).empty())
+            continue;  // the crash is described elsewhere
         if (!text.empty()) {
             others += "    " + test.name + '\n';
             continue;
@@ -263,7 +263,7 @@ std::string looks_like_text(const LooksLike& looks_like) {
 std::string where(const std::vector<TestCase>& tests) {
     std::string name;
     for (const TestCase& test : tests)
-        if (!test.ended || !test.crash.empty()) name = test.name;
+        if (test.broke_off()) name = test.name;
     return name.empty() ? "" : " in the test case\n  " + bold(name);
 }
 
