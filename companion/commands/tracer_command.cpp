@@ -69,8 +69,8 @@ std::string way_on(const Course& course) {
     const State state = read_state(course);
     for (const Chapter& chapter : grafts(course))
         if (!state.grafts.count(chapter.number()))
-            return "Have you done graft " + chapter.number() +
-                   " already? ./course tracer --graft " + chapter.number() + '\n';
+            return "If you have done graft " + chapter.number() +
+                   " already: ./course tracer --graft " + chapter.number() + '\n';
     return {};
 }
 
@@ -139,7 +139,7 @@ Chapter chosen(const Course& course, const Given& given) {
             is_ready = true;
         }
     }
-    return last.value_or(grafts(course).back());
+    return *last;
 }
 
 }  // namespace

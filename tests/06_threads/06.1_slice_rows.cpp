@@ -14,9 +14,8 @@ std::string text(Rows rows) {
 }
 
 constexpr const char* wide_product =
-    "Hint: height * worker may need more than the 32 bits of an int, and more than the 53 bits "
-    "that "
-    "a double keeps; 64 are enough";
+    "Hint: height * worker may need more than the 32 bits of an int, and more than the 53 bits of "
+    "a double; 64 bits are enough";
 
 // The first thing that is wrong with the slices of all workers; empty if nothing is.
 std::string complaint(int height, int workers) {

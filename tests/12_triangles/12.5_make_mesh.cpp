@@ -27,6 +27,19 @@ Vec3 normal_of(const Mesh& mesh, const Corner& corner) {
     return corner.normal < 0 ? Vec3{} : mesh.normals.at(static_cast<std::size_t>(corner.normal));
 }
 
+// Checks the normal of each corner; expected_at(point) is what belongs there.
+template <class Expected>
+void check_normals(const Mesh& mesh, const Expected& expected_at, const std::string& what,
+                   const char* hint) {
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            const Vec3 expected = expected_at(corner.point), actual = normal_of(mesh, corner);
+            INFO(what << "; the corner at point " << corner.point);
+            HINT(expected, actual, hint);
+            CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
+        }
+}
+
 void check_refused(const Polygons& polygons, const std::string& words, const std::string& what) {
     INFO(what << " must be refused: throw a std::invalid_argument whose message contains '" << words
               << "'");
@@ -179,18 +192,14 @@ TEST_CASE("12.5 a mesh may have many points", "[12.5]") {
     Mesh mesh = rt::make_mesh(all);
     rt::add_normals(mesh);
     REQUIRE(mesh.triangles.size() == 2);
-    for (const auto& triangle : mesh.triangles)
-        for (const Corner& corner : triangle) {
-            const Vec3 expected = corner.point == first ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
-            const Vec3 actual = normal_of(mesh, corner);
-            INFO(
-                "a square after 70,000 points and normals that it does not use; the corner at "
-                "point "
-                << corner.point);
-            HINT(expected, actual, "the indices are numbers of type int; no smaller type will do");
-            REQUIRE(corner.point >= first);
-            CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
-        }
+    const char* const what = "a square after 70,000 points and normals that it does not use";
+    const char* const hint = "the indices are numbers of type int; no smaller type will do";
+    const auto expected_at = [&](int point) {
+        INFO(what << "\nHint: " << hint);
+        REQUIRE(point >= first);
+        return point == first ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+    };
+    check_normals(mesh, expected_at, what, hint);
 }
 
 TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
@@ -229,19 +238,12 @@ TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
     all.polygons = {{{0, 1}, {1}, {2, 0}, {3}}};
     Mesh mesh = rt::make_mesh(all);
     rt::add_normals(mesh);
-    for (const auto& triangle : mesh.triangles)
-        for (const Corner& corner : triangle) {
-            const Vec3 expected = corner.point == 0   ? Vec3{0, 1, 0}
-                                  : corner.point == 2 ? Vec3{1, 0, 0}
-                                                      : Vec3{0, 0, 1};
-            const Vec3 actual = normal_of(mesh, corner);
-            INFO(
-                "a square whose first and third corner have normals of their own; the corner at "
-                "point "
-                << corner.point);
-            HINT(expected, actual, "only corners without a normal get one");
-            CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
-        }
+    const auto expected_at = [](int point) {
+        return point == 0 ? Vec3{0, 1, 0} : point == 2 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
+    };
+    check_normals(mesh, expected_at,
+                  "a square whose first and third corner have normals of their own",
+                  "only corners without a normal get one");
 }
 
 TEST_CASE("12.5 triangles that have normals count for their neighbors' normals", "[12.5]") {

@@ -19,8 +19,9 @@ std::vector<Color> tile_of(int tile, int size) {
     return pixels;
 }
 
+// The sender of tiles 1 to 100; other tiles have none.
 int from_rank_1(int tile) {
-    return tile >= 1 && tile <= 100;
+    return tile >= 1 && tile <= 100 ? 1 : 0;
 }
 
 // Receives so many tiles, each of which must be `tile_of` its number. `size_of` says how large it
