@@ -176,6 +176,10 @@ class Group {
             {"OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"},
             {"OMPI_MCA_rmaps_base_oversubscribe", "1"},
             {"OMPI_MCA_mpi_yield_when_idle", "1"},
+            // The ranks share this machine's memory. Looking for networks would take a quarter of a
+            // second.
+            {"OMPI_MCA_pml", "ob1"},
+            {"OMPI_MCA_btl", "self,vader"},
             // Containers may not read each other's memory.
             {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}};
         process_ = ::fork();
