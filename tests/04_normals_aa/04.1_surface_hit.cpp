@@ -52,7 +52,8 @@ void for_shots(int count, Real far_power, Real far, Check check) {
     const Real sizes = for_this_precision(9, 40), lengths = for_this_precision(3, 9);
     for (int i = 0; i < count;) {
         const Real radius = any_size(rng, -sizes, sizes);
-        const Sphere sphere{radius * any_size(rng, -1, far_power) * any_direction(rng), radius};
+        Sphere sphere{radius * any_size(rng, -1, far_power) * any_direction(rng), radius};
+        if (rng() % 16 == 0) sphere.center = {};
         const Vec3 side = rng() % 8 ? any_direction(rng) : any_axis(rng);
         const Real start = i % 2 ? rng.uniform() : any_size(rng, 0, std::log10(far));
         Vec3 from = start * side, aim = rng.uniform() * any_direction(rng);
