@@ -342,7 +342,7 @@ TEST_CASE("07.3 the tree follows the results of any split", "[07.3][hard]") {
                     FAIL("split got " << all.size() << " boxes; expected " << boxes.size()
                                       << ".\nHint: pass boxes on as it is, all of it");
                 const auto n = static_cast<unsigned>(part.size());
-                if (n == 1 || (shape == 5 && n < 20)) return 0;
+                if (n == 1 || (shape == 5 && n < (level == 0 ? 400u : 20u))) return 0;
                 std::reverse(part.begin(), part.end());
                 if (shape == 0) return 1;
                 if (shape == 1) return static_cast<int>(n) - 1;
