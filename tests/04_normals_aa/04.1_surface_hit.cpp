@@ -173,6 +173,27 @@ TEST_CASE("04.1 front and t and material are correct for every ray", "[04.1]") {
     });
 }
 
+TEST_CASE("04.1 point_error grows with the radius and the distance from the origin", "[04.1]") {
+    for_shots(2000, 2, 100, [](const Shot& shot) {
+        const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
+        const Vec3 p = hit.point, n = hit.normal;
+        const Real expected = rt::rounding_bound(16) * (std::sqrt(dot(p, p)) + shot.sphere.radius);
+        // The sharper bound of the star will do, too.
+        const Real least =
+            rt::epsilon / 2 * (dot(rt::abs(p), rt::abs(n)) + 16 * shot.sphere.radius);
+        const bool is_right =
+            real(0.999) * least <= hit.point_error && hit.point_error <= real(1.001) * expected;
+        if (!is_right) {
+            INFO(text(shot));
+            HINT(expected, hit.point_error,
+                 "point_error is rounding_bound(16) * (length(hit.point) + sphere.radius): set it "
+                 "after the point");
+            REQUIRE(text(hit.point_error) == text(expected));
+        }
+        REQUIRE(is_right);
+    });
+}
+
 TEST_CASE("04.1 the member front is correct unless rounding errors hide the side", "[04.1][hard]") {
     const Real far = 1 / (16 * rt::epsilon);
     for_shots(20000, 2, far, [](const Shot& shot) {
