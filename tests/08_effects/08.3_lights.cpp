@@ -258,6 +258,16 @@ TEST_CASE("08.3 place.x determines the height in the cap and place.y the turn", 
                 HINT(expected, cosine,
                      "1 - place.x * h, whatever place.y is; the turn is 2 pi place.y");
                 check_near(cosine, static_cast<Real>(expected.high), rt::rounding_bound(40));
+                if (x == 0) continue;
+                const auto beside = [&](Vec3 d) {
+                    return rt::normalize(d - rt::dot(d, apart) / rt::dot(apart, apart) * apart);
+                };
+                const Vec3 start = sampled(usual, from, {x, 0}).direction;
+                const Real turned = rt::dot(beside(direction), beside(start)),
+                           wanted = std::cos(2 * rt::pi * turn);
+                INFO("the cosine of the angle by which place.y turns the sample");
+                HINT(wanted, turned, "place.y is the fraction of a turn, and a full turn is 2 pi");
+                check_near(turned, wanted, real(1e-4));
             }
     }
 }

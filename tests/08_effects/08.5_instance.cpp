@@ -308,6 +308,9 @@ TEST_CASE("08.5 the box extends from the center by the row lengths plus the marg
                  multiply(rt::rotation_z(rt::pi / 4), rt::scaling({4, 3, 1}))),
         {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
         "the reach along x is the length of the first row, sqrt(8 + 4.5), not of the first column");
+    check(multiply(rt::rotation_y(rt::pi / 4), rt::scaling({4, 3, 1})),
+          {Real(std::sqrt(8.5)), 3, Real(std::sqrt(8.5))},
+          "the reach along z is the length of the third row, sqrt(8 + 0.5)");
     check(rt::translation({-100, 0, 0}), {1, 1, 1},
           "take the absolute values: max_component gives the largest absolute coordinate of the "
           "center, and that of the reach");
