@@ -258,7 +258,7 @@ TEST_CASE("07.3 spheres are sorted by the centers of their boxes", "[07.3]") {
     CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
 }
 
-TEST_CASE("07.3 the first and the last of the numbers count for the axis, too", "[07.3]") {
+TEST_CASE("07.3 the axis depends on the first and the last of the numbers as well", "[07.3]") {
     for (const std::size_t far : {0u, 7u}) {
         std::vector<Vec3> middles;
         for (int i = 0; i < 8; ++i) middles.push_back({0, static_cast<Real>((i * 5) % 8), 0});
