@@ -139,6 +139,7 @@ TEST_CASE("01.1 infinite components and zeros give the right result", "[01.1][ha
     check_minus({inf, 1, 2}, {inf, -inf, 2});
     check_times({inf, -1, 0}, -2);
     check_times({1, 0, -1}, inf);
+    check_times({inf, 1, -inf}, 0);
     check_over({1, -1, 0}, 0);
     check_over({1, inf, -3}, inf);
     check_plus({no_number, 1, 2}, {1, no_number, 2});

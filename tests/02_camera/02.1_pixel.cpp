@@ -11,6 +11,7 @@ namespace {
 
 Camera camera(int width, int height, Real viewport_width, Real viewport_height) {
     Camera c;
+    c.eye = {7, 8, 9};  // which does not count
     c.width = width;
     c.height = height;
     c.viewport = {viewport_width, viewport_height};

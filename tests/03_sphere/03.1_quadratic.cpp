@@ -98,6 +98,8 @@ TEST_CASE("03.1 a negative discriminant means no solution", "[03.1]") {
     check_none(rt::solve_quadratic(1, 2, 3), "solve_quadratic: t^2 + 2 t + 3 = 0");
     check_none(rt::roots_from_discriminant(1, 0, 1, -4),
                "roots_from_discriminant: a discriminant of -4");
+    check_none(rt::roots_from_discriminant(1, -2, 1, -std::numeric_limits<Real>::min()),
+               "roots_from_discriminant: a discriminant just below 0");
 }
 
 TEST_CASE("03.1 a discriminant of zero means one solution", "[03.1]") {

@@ -52,7 +52,8 @@ void for_shots(int count, Real far_power, Real far, Check check) {
     const Real sizes = for_this_precision(9, 40), lengths = for_this_precision(3, 9);
     for (int i = 0; i < count;) {
         const Real radius = any_size(rng, -sizes, sizes);
-        const Sphere sphere{radius * any_size(rng, -1, far_power) * any_direction(rng), radius};
+        Sphere sphere{radius * any_size(rng, -1, far_power) * any_direction(rng), radius};
+        if (rng() % 16 == 0) sphere.center = {};
         const Vec3 side = rng() % 8 ? any_direction(rng) : any_axis(rng);
         const Real start = i % 2 ? rng.uniform() : any_size(rng, 0, std::log10(far));
         Vec3 from = start * side, aim = rng.uniform() * any_direction(rng);
@@ -169,6 +170,27 @@ TEST_CASE("04.1 front and t and material are correct for every ray", "[04.1]") {
             REQUIRE(hit.material == 0);
         }
         check_side(shot, hit);
+    });
+}
+
+TEST_CASE("04.1 point_error grows with the radius and the distance from the origin", "[04.1]") {
+    for_shots(2000, 2, 100, [](const Shot& shot) {
+        const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);
+        const Vec3 p = hit.point, n = hit.normal;
+        const Real expected = rt::rounding_bound(16) * (std::sqrt(dot(p, p)) + shot.sphere.radius);
+        // The sharper bound of the star will do, too.
+        const Real least =
+            rt::epsilon / 2 * (dot(rt::abs(p), rt::abs(n)) + 16 * shot.sphere.radius);
+        const bool is_right =
+            real(0.999) * least <= hit.point_error && hit.point_error <= real(1.001) * expected;
+        if (!is_right) {
+            INFO(text(shot));
+            HINT(expected, hit.point_error,
+                 "point_error is rounding_bound(16) * (length(hit.point) + sphere.radius): set it "
+                 "after the point");
+            REQUIRE(text(hit.point_error) == text(expected));
+        }
+        REQUIRE(is_right);
     });
 }
 

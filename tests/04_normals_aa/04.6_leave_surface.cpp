@@ -58,16 +58,16 @@ std::string describe(const Place& place, Vec3 direction) {
 
 TEST_CASE("04.6 the ray starts just off the surface on the side of its direction", "[04.6]") {
     Hit hit;
-    hit.point = {0, 0, 1};
+    hit.point = {3, -5, 1};
     hit.normal = {0, 0, 1};
     hit.point_error = 8 * rt::epsilon;
     for (const Vec3 up : {Vec3{0, 0, 1}, Vec3{real(0.6), 0, real(0.8)}, Vec3{0, 1, real(1e-6)}}) {
         const Vec3 out = rt::leave_surface(hit, up), in = rt::leave_surface(hit, -up);
-        INFO("leaving (0, 0, 1) along " << text(up) << ": your ray starts at " << text(out)
-                                        << ", and in the opposite direction at " << text(in));
+        INFO("leaving (3, -5, 1) along " << text(up) << ": your ray starts at " << text(out)
+                                         << ", and in the opposite direction at " << text(in));
         INFO("Hint: move along the normal, by twice the error of the point");
-        CHECK(out.x == 0);
-        CHECK(out.y == 0);
+        CHECK(out.x == 3);
+        CHECK(out.y == -5);
         CHECK(out.z >= 1 + 8 * rt::epsilon);
         CHECK(out.z <= 1 + 16 * rt::epsilon);
         {

@@ -237,6 +237,28 @@ TEST_CASE("05.6 the same random numbers give the same result", "[05.6]") {
     }
 }
 
+TEST_CASE("05.6 each bounce draws its own random numbers", "[05.6]") {
+    Rng rng{56, 7};
+    int by_numbers = 0, by_bounces = 0;  // how many results differ
+    for (int i = 0; i < 1000; ++i) {
+        const Sample sample = any_sample(rng);
+        Sample other = sample;
+        other.random = {rng(), 56};
+        by_numbers += !is_same(sample(), other());
+        Rng random = sample.random;
+        const auto bounce = [&] {
+            return scatter(sample.material, sample.incoming, sample.hit, random);
+        };
+        const Bounce first = bounce();
+        by_bounces += !is_same(first, bounce());
+    }
+    INFO("other random numbers change "
+         << by_numbers << " of 1000 results, but the second of two bounces, one right after the "
+         << "other, is never different from the first\nHint: draw from `random` itself, not from a "
+         << "copy of it: a function of your own must take it as Random&");
+    if (by_numbers > 50) CHECK(by_bounces > 0);  // otherwise it may be chance
+}
+
 TEST_CASE("05.6 a material of a light color returns visible light", "[05.6]") {
     double brightest = 0;
     for (const Real amount : amounts) brightest = std::max(brightest, visible_light(amount));

@@ -80,6 +80,19 @@ TEST_CASE("07.1 only hits within the interval count", "[07.1]") {
     check(unit, {2, Real(0.5), Real(0.25)}, d, {-9, 0}, true, "an interval may begin below 0");
 }
 
+TEST_CASE("07.1 the box grows by the margin on all sides", "[07.1]") {
+    const char* const hint =
+        "the ray passes 1/2 beside the box: a margin of 1 reaches it, one of 1/4 does not. Move "
+        "each low plane down and each high plane up by ray.margin";
+    for (int axis = 0; axis < 3; ++axis)
+        for (const Real side : {Real(1), Real(-1)}) {
+            const Vec3 from = turned({-1, Real(0.5) + side, Real(0.5)}, axis),
+                       along = turned({1, side / 16, Real(0.125)}, axis);
+            check(unit, from, along, ahead, true, hint, 1);
+            check(unit, from, along, ahead, false, hint, Real(0.25));
+        }
+}
+
 TEST_CASE("07.1 directions with zero components of either sign are handled correctly",
           "[07.1][hard]") {
     for (int axis = 0; axis < 3; ++axis)

@@ -41,8 +41,8 @@ TEST_CASE("08.1 each material calls for its effect", "[08.1]") {
     check(ball_of(rt::Dielectric{}), {.glass = true}, "a Dielectric is glass");
     check(ball_of(rt::CheckeredMatte{}), {.texture = true}, "a checker is a texture");
     check(ball_of(rt::PictureMatte{}), {.texture = true}, "an image is a texture");
-    check(ball_of(rt::OwnMaterial{{1, 1, 1}, 1}), {.own = true},
-          "OwnMaterial is the material of 05.6: effects.own");
+    check(ball_of(rt::OwnMaterial{}), {.own = true},
+          "OwnMaterial is the material of 05.6: effects.own, whatever its color and amount");
     check(ball_of(rt::Emitter{{0, 2, 0}}), {.lights = true},
           "a light that shines in only one channel is a light");
 }

@@ -280,10 +280,13 @@ TEST_CASE("08.2 rays are accurate for lenses of all sizes and focus distances", 
         check_direction(any, {any_size(rng, smallest, -1), rng.uniform()});
         check_places(any, rng);
     }
-    const Case pinhole{usual, {0, 4}, 20, 70, middle};
+    const Vec2 offset{Real(0.125), Real(0.875)};
+    const Ray ray = ray_of({usual, {0, 4}, 20, 70, offset}, {Real(0.7), Real(0.2)});
     INFO("aperture 0");
-    check_close(ray_of(pinhole, {Real(0.7), Real(0.2)}).origin, usual.eye, 0,
+    check_close(ray.origin, usual.eye, 0,
                 "a lens of aperture 0 is a pinhole: the ray starts at the eye");
+    check_close(ray.direction, rt::primary_ray(usual, 20, 70, offset).direction, direction_error,
+                "a lens of aperture 0 is a pinhole: the direction is that of primary_ray");
 }
 
 TEST_CASE("08.2 directions are accurate far from the scene's origin", "[08.2][hard]") {

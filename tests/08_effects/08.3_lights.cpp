@@ -258,6 +258,16 @@ TEST_CASE("08.3 place.x determines the height in the cap and place.y the turn", 
                 HINT(expected, cosine,
                      "1 - place.x * h, whatever place.y is; the turn is 2 pi place.y");
                 check_near(cosine, static_cast<Real>(expected.high), rt::rounding_bound(40));
+                if (x == 0) continue;
+                const auto beside = [&](Vec3 d) {
+                    return rt::normalize(d - rt::dot(d, apart) / rt::dot(apart, apart) * apart);
+                };
+                const Vec3 start = sampled(usual, from, {x, 0}).direction;
+                const Real turned = rt::dot(beside(direction), beside(start)),
+                           wanted = std::cos(2 * rt::pi * turn);
+                INFO("the cosine of the angle by which place.y turns the sample");
+                HINT(wanted, turned, "place.y is the fraction of a turn, and a full turn is 2 pi");
+                check_near(turned, wanted, real(1e-4));
             }
     }
 }
@@ -383,11 +393,11 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     for (int i = 0; i < 300; ++i) {
         const Real size = any_size(rng, -9, 9);
         const Sphere any{4 * size * any_direction(rng), size};
-        // Near the middle, anywhere, near the surface; on the surface in whole numbers.
+        // Near the middle and at it, anywhere, near the surface; on it in whole numbers.
         const Real deep = i % 3 ? rng.uniform() : any_size(rng, -4, 0);
         const Vec3 from =
             any.center + Real(0.9999) * (i % 2 ? deep : 1 - deep) * size * any_direction(rng);
-        check_sample(any, from, {rng.uniform(), rng.uniform()});
+        check_sample(any, i % 50 ? from : any.center, {rng.uniform(), rng.uniform()});
         const Real whole = std::ldexp(Real(1), i % 60 - 30);
         const Vec3 corner{i % 5 ? whole : 7 * whole, whole, whole};
         check_sample({corner, 3 * whole}, corner + Vec3{whole, -2 * whole, 2 * whole},

@@ -202,27 +202,33 @@ TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
 }
 
 TEST_CASE("08.4 a path never loses the light that it has collected", "[08.4]") {
-    // One bounce on a white floor, far below a light: what it gets is the same for every ending.
-    Lit lit;
-    lit.add(floor_ball, white);
-    lit.add_light({{0, 40, 0}, 1}, {2, 2, 2});
-    const double expected = 2 / 1600.0;
-    const auto check = [&](const auto& ending, int depth, const char* name) {
-        const Mean mean = lit.mean(down, lit.lights, ending, depth, 4000, 5);
-        INFO(
-            "the paths end " << name << " after " << depth << " bounces; mean of the light: "
-                             << mean.mean() << ", expected " << expected
-                             << ".\nHint: a path adds the direct light before it ends, in black or "
-                                "in the sky, times the throughput from before the ending");
-        CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
-    };
-    check(rt::SkyEnding{}, 1, "in the sky");
-    check(rt::BlackEnding{}, 1, "in black");
-    check(rt::RouletteEnding{Real(0.5)}, 1, "by roulette, half of them each time,");
-    check(rt::SkyEnding{}, 3, "in the sky");
-    // A second surface that absorbs everything: what was collected on the way to it stays.
-    lit.add({{0, 0, 0}, 1000}, rt::Lambertian{{0, 0, 0}});
-    check(rt::BlackEnding{}, 4, "in black, most of them at a black wall,");
+    // One bounce on a floor, white or all but black, far below a light that makes up for it: what
+    // the floor gets is the same for every ending.
+    for (const Real albedo : {Real(1), Real(1e-6)}) {
+        Lit lit;
+        lit.add(floor_ball, rt::Lambertian{{albedo, albedo, albedo}});
+        const Color radiance = 2 / albedo * Color{1, 1, 1};
+        lit.add_light({{0, 40, 0}, 1}, radiance);
+        const double expected = 2 / 1600.0;
+        const auto check = [&](const auto& ending, int depth, const char* name) {
+            const Mean mean = lit.mean(down, lit.lights, ending, depth, 4000, 5);
+            INFO("a floor of albedo "
+                 << checkpoint::text(albedo) << " under a light of radiance " << text(radiance)
+                 << "; the paths end " << name << " after " << depth
+                 << " bounces; mean of the light: " << mean.mean() << ", expected " << expected
+                 << ".\nHint: a path adds the direct light before it ends, in black or in the sky, "
+                    "times the throughput from before the ending, however small that is");
+            CHECK(std::abs(mean.mean() - expected) <=
+                  limit * mean.standard_error() + 0.01 * expected);
+        };
+        check(rt::SkyEnding{}, 1, "in the sky");
+        check(rt::BlackEnding{}, 1, "in black");
+        check(rt::RouletteEnding{Real(0.5)}, 1, "by roulette, at least half of them each time,");
+        check(rt::SkyEnding{}, 3, "in the sky");
+        // A second surface that absorbs everything: what was collected on the way to it stays.
+        lit.add({{0, 0, 0}, 1000}, rt::Lambertian{{0, 0, 0}});
+        check(rt::BlackEnding{}, 4, "in black, most of them at a black wall,");
+    }
 }
 
 TEST_CASE("08.4 an absorbed path keeps the light that it has collected", "[08.4]") {
@@ -298,8 +304,8 @@ TEST_CASE("08.4 without lights and fog the result equals that of 04.7 exactly", 
 TEST_CASE("08.4 a light that is seen directly shows its radiance", "[08.4]") {
     Lit lit;
     lit.add(floor_ball, white);
-    lit.add_light({{0, 3, 0}, 1}, {2, 2, 2});
-    check_mean(lit.mean({{0, 1, 0}, {0, 1, 0}}, lit.lights, rt::SkyEnding{}, 3, 10, 1), 2);
+    lit.add_light({{0, 3, 0}, 1}, {998, 500, 2});
+    check_mean(lit.mean({{0, 1, 0}, {0, 1, 0}}, lit.lights, rt::SkyEnding{}, 3, 10, 1), 500);
 }
 
 TEST_CASE("08.4 a floor gets as much light as the formula says", "[08.4]") {
@@ -409,6 +415,44 @@ TEST_CASE("08.4 sampling lights and finding them by chance give equal means in f
           "[08.4][hard]") {
     for (const Ray& ray : {to_floor, to_glass, to_nothing})
         check_both_ways(varied(true), ray, 5000);
+}
+
+TEST_CASE("08.4 a light that a bounce meets is weighted from the bounce's point", "[08.4][hard]") {
+    // In a gray room a path often bounces several times before it meets the light.
+    Lit room;
+    room.add({{0, 0, 0}, 4}, gray_matte);
+    room.add_light({{0, 2, 0}, 1}, {2, 3, 4});
+    struct Followed {
+        const rt::SphereList& world;
+        mutable Vec3 origin{};  // of the last ray
+        std::optional<rt::Hit> hit(const Ray& ray, rt::Interval within) const {
+            origin = ray.origin;
+            return world.hit(ray, within);
+        }
+    } const world{room.world};
+    struct Asked : rt::SceneLights {
+        const Followed* world = nullptr;
+        mutable int times = 0;
+        mutable std::string wrong{};
+        Real density(const rt::Light& light, Vec3 from) const {
+            ++times;
+            if (!(rt::length(from - world->origin) <= 1000 * rt::epsilon))
+                wrong = "point " + checkpoint::text(from) + ", but the ray came from " +
+                        checkpoint::text(world->origin);
+            return rt::SceneLights::density(light, from);
+        }
+    } lights;
+    lights.add(room.lights.all()[0]);
+    lights.world = &world;
+    rt::Rng random{8, 5};
+    for (int i = 0; i < 200; ++i)
+        rt::lit_path_radiance(to_floor, world, room.materials, room.sky, lights, rt::NoFog{},
+                              rt::BlackEnding{}, 9, random);
+    INFO(
+        "Hint: if the path meets a light, ask lights.density for the point of the last bounce: "
+        "keep place.point at each bounce, before the ray goes on");
+    CHECK(lights.times > 0);
+    CHECK(lights.wrong == "");
 }
 
 TEST_CASE("08.4 a light that is seen in a mirror counts in full", "[08.4]") {

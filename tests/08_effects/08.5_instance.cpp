@@ -123,6 +123,7 @@ TEST_CASE("08.5 a ray hits an ellipsoid at the correct t", "[08.5]") {
     check({{0, 0, 0}, {1, 0, 0}}, Real(7), "the near side lies before the interval",
           {4, rt::infinity});
     check({{0, 0, 0}, {1, 0, 0}}, {}, "both sides lie beyond the interval", {0, 2});
+    check({{9, 0, 0}, {1, 0, 0}}, Real(-6), "an interval may begin below 0", {-9, 0});
 }
 
 TEST_CASE("08.5 point and normal are in world space", "[08.5]") {
@@ -207,8 +208,10 @@ TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", 
     int hits = 0;
     for (int i = 0; i < 6000; ++i) {
         const Real size = any_size(rng, -6, 6);
-        const Instance instance = rt::make_instance(any_map(rng, 2, size), i);
-        const Ray ray = ray_at(instance, rng, size);
+        const int material = 70'000 + i;
+        const Instance instance = rt::make_instance(any_map(rng, 2, size), material);
+        const Real far = i % 4 ? Real(1) : for_this_precision<Real>(100, 1e6);
+        const Ray ray = ray_at(instance, rng, far * size);
         const Interval within = i % 3 ? Interval{} : Interval{-rt::infinity, rt::infinity};
         const auto t = rt::hit_instance(instance, ray, within);
         if (!t) continue;
@@ -245,7 +248,7 @@ TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", 
         INFO("front must be true where the ray runs against the normal");
         if (std::abs(slope) > 100 * rt::epsilon) REQUIRE(hit.front == (slope < 0));
         REQUIRE(hit.t == *t);
-        REQUIRE(hit.material == i);
+        REQUIRE(hit.material == material);
         INFO("point_error must be instance_error of the point in the world");
         REQUIRE(hit.point_error == rt::instance_error(instance, hit.point));
     }
@@ -305,6 +308,9 @@ TEST_CASE("08.5 the box extends from the center by the row lengths plus the marg
                  multiply(rt::rotation_z(rt::pi / 4), rt::scaling({4, 3, 1}))),
         {Real(std::sqrt(12.5)), Real(std::sqrt(12.5)), 1},
         "the reach along x is the length of the first row, sqrt(8 + 4.5), not of the first column");
+    check(multiply(rt::rotation_y(rt::pi / 4), rt::scaling({4, 3, 1})),
+          {Real(std::sqrt(8.5)), 3, Real(std::sqrt(8.5))},
+          "the reach along z is the length of the third row, sqrt(8 + 0.5)");
     check(rt::translation({-100, 0, 0}), {1, 1, 1},
           "take the absolute values: max_component gives the largest absolute coordinate of the "
           "center, and that of the reach");

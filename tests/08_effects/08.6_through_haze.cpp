@@ -132,9 +132,9 @@ TEST_CASE("08.6 the largest and smallest densities and distances give correct co
     const char* const thin = "the haze is so thin that everything gets through";
     check_same(seen(Haze{least, blue}, orange, 1), orange, thin);
     check_same(seen(Haze{least, blue}, orange, least), orange, thin);
-    // The same scene, with all lengths a billion times as large or as small.
+    // The same scene, with all lengths 2^60 times as large or as small.
     const Color here = seen(Haze{Real(0.5), blue}, orange, 2);
-    for (const Real scale : {Real(0x1p30), Real(0x1p-30)})
+    for (const Real scale : {Real(0x1p60), Real(0x1p-60)})
         check_same(seen(Haze{Real(0.5) / scale, blue}, orange, 2 * scale), here,
                    "only the product of density and distance counts, and it is a pure number");
 }
