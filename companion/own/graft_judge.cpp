@@ -128,9 +128,9 @@ void judge_graft(const Course& course, const GraftRequest& request,
                 eye.push_back(std::to_string(low + (high - low) * random.uniform()));
             judge({false, "eye " + std::to_string(i + 1) + " of 3", "",
                    "the same outlines of ball, ground and shadow",
-                   "The camera looks at the ball's center, (0, 0, -4), with y up and a vertical "
-                   "field of view of 50 degrees. Call primary_ray for the ray through the pixel's "
-                   "middle."},
+                   "Set eye from words[1], words[2] and words[3] before you make the camera. It "
+                   "looks at the ball's center, (0, 0, -4), with y up and a vertical field of view "
+                   "of radians(50). Call primary_ray for the ray through the pixel's middle."},
                   [&](JudgedLine& line) {
                       look_at_outlines(course, request, eye, line);
                       line.actual = "called with " + eye[0] + ' ' + eye[1] + ' ' + eye[2] + ": " +
@@ -145,8 +145,13 @@ void judge_graft(const Course& course, const GraftRequest& request,
         for (const Rung& rung : own_rungs(request.seed))
             if (std::count(graft.rungs.begin(), graft.rungs.end(), rung.number))
                 for (const OwnScene& scene : rung.scenes)
-                    judge({false, scene.name, "", "our picture", scene.suggestion},
-                          [&](JudgedLine& line) { look_at_still(own, ours, scene, line); });
+                    judge(
+                        {false, scene.name, "", "our picture",
+                         (rung.number == 1 ? ""
+                                           : "Does `color` change where a sphere is hit? "
+                                             "(`Color color` there would be a second variable.) ") +
+                             scene.suggestion},
+                        [&](JudgedLine& line) { look_at_still(own, ours, scene, line); });
         return;
     }
     std::vector<std::string> parts;
