@@ -26,6 +26,12 @@ std::string cause_of(const Result& result, const TestCase* test) {
         case Crash::division:
             return "it divided an integer by 0";
         case Crash::aborted:
+            // The library's own words, if it found the fault.
+            if (result.output.find("_M_is_engaged()' failed") != std::string::npos)
+                return "it used the value of an empty std::optional: before you write `*name` or "
+                       "`name->`, test it with `if (name)`";
+            if (result.output.find("size()' failed") != std::string::npos)
+                return "an index is out of range: the first is 0, and the last is size() - 1";
             return "it was aborted: an index is out of range, an empty std::optional has no value, "
                    "memory was freed twice, a std::thread was destroyed before it was joined, or "
                    "an exception left a thread or a function that must not throw";
@@ -127,7 +133,7 @@ Tested run_cases(const Course& course, const Cases& cases) {
     const std::string secret = new_secret();
     Tested tested{run_process({.command = command_of(course, cases, secret),
                                .folder = course.build,
-                               .output = Output::errors_hidden,
+                               .output = Output::captured,
                                .has_events = true,
                                .timeout = cases.timeout > 0 ? cases.timeout : course.patience,
                                .most_memory = is_sanitized ? 0 : most_memory,

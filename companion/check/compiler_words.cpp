@@ -31,7 +31,25 @@ const Habit habits[]{
      "fraction."},
     {"expected|was not declared|undeclared", "\\S+ if .+ else ",
      "A choice between two values is written `condition ? a : b`."},
+    {"'(count|words)' was not declared|undeclared identifier '(count|words)'", "words\\[|count ==",
+     "main gets the words of the command line: `int main(int count, char** words) {`."},
     {"elif", "", "C++ has no `elif`: write `else if (...)`."},
+    {"expected|was not declared|undeclared", "\\bfor \\(?\\w+ in ",
+     "C++ counts with `for (int i = 0; i < n; ++i) { ... }`, and goes through a list with "
+     "`for (const Color& c : colors) { ... }`."},
+    {".(begin|end). was not declared|invalid range expression", "\\bfor \\(.*:",
+     "`for (... : list)` goes through a list. To count, write "
+     "`for (int i = 0; i < n; ++i)`."},
+    {"expected .;.", "\\bfor \\([^;]*,",
+     "In `for (int i = 0; i < n; ++i)`, semicolons separate the parts."},
+    {"expected|lambda", "return \\[[^\\]]*[,.]",
+     "C++ lists values in braces: `return {a, b, c};`."},
+    {"expected .;.|expected .,. or .;.", "(=|return) [^=]*[\\w)\\]] [A-Za-z][^=]*;$",
+     "Is an operator such as `*` missing between two names, or a semicolon?"},
+    {"no match for .operator\\[\\]|does not provide a subscript operator", "",
+     "A Vec3 is not a list: its components are a.x, a.y and a.z."},
+    {"discards qualifiers|no viable overloaded .=", "\\bif \\([^=!<>]+ = [^=]",
+     "`=` assigns to the left side; write `==` to compare."},
     {"expected .\\(.|expected", "^[^?/]*\\b(if|while|for|else)\\b[^;?]*:\\s*$",
      "Write the condition in parentheses and the statements in braces: `if (x > 0) { ... }`."},
     {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
@@ -52,6 +70,8 @@ const Habit habits[]{
      "emplace_back makes the thread itself and needs only the function: "
      "`threads.emplace_back([...] { ... });`."},
     {"has no member|no member named", "\\.append\\(", "A vector appends with `push_back(value)`."},
+    {"optional", "return -?[\\d.]+;",
+     "The function returns a std::optional. For no value, write `return {};`."},
     {"optional", "return nullptr",
      "To return no value, write `return {};` or `return std::nullopt;`. A null pointer is not an "
      "empty std::optional."},
@@ -149,7 +169,7 @@ const Meaning meanings[]{
      "(float|double).* to .*int",
      "A number is converted to a type that cannot hold all of its digits. If you want that, "
      "convert it yourself: `int(x)` drops the fraction, and `Real(x)` makes a Real."},
-    {"promotion|increases floating-point precision|implicit conversion from .float. to .double.",
+    {"promotion|increases floating-point precision|implicit conversion from .*float.* to .double.",
      "If Real is float, this is computed in double. Give both numbers the type Real: `Real(5)` "
      "instead of 5."},
     {"expected .;. after (struct|class)|expected initializer before",
@@ -202,6 +222,11 @@ const Meaning meanings[]{
      "One of the two values is a std::optional, which may be empty. Test it with `if (name)`; "
      "`*name` is "
      "the value in it."},
+    {"__comp. cannot be used",
+     "Does this call std::min or std::max? They take two values, or more in braces: "
+     "`std::max({a, b, c})`."},
+    {"explicit qualification in declaration|extra qualification",
+     "Within `namespace rt { ... }`, the name is written without rt::."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",
      "The name before the ( is a value, not a function. Is an operator missing, or does a variable "
      "have the same name as the function?"},

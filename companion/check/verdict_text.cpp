@@ -171,7 +171,7 @@ bool is_about_a_crash(const std::string& message) {
     return message.find("if this crashes") != std::string::npos;
 }
 
-std::string describe(const FailedAssertion& failure) {
+std::string describe(const FailedAssertion& failure, bool is_star) {
     // If several messages name expected values, the last counts: the others
     // belong to earlier assertions.
     const auto expects = [](const std::string& message) {
@@ -183,7 +183,11 @@ std::string describe(const FailedAssertion& failure) {
     for (const std::string& message : messages)
         if (!is_about_a_crash(message) && (!expects(message) || &message == &*last))
             text += wrapped(readable(message), "    ");
-    if (!failure.expression.empty() && failure.expression != "FAIL" && !is_unknown(failure)) {
+    // The values of an assertion add nothing where a message has compared them already.
+    const bool is_told = !is_star && last != messages.rend() &&
+                         last->find("actual ") != std::string::npos && failure.exception.empty();
+    if (!is_told && !failure.expression.empty() && failure.expression != "FAIL" &&
+        !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");
         if (says_more(failure)) text += wrapped("actual: " + readable(failure.expanded), "    ");
     }
@@ -194,7 +198,7 @@ std::string describe(const FailedAssertion& failure) {
 // The text of a test case's first failure that has one.
 std::string describe_all(const TestCase& test) {
     for (const FailedAssertion& failure : test.failures)
-        if (const std::string text = describe(failure); !text.empty()) return text;
+        if (const std::string text = describe(failure, test.hard); !text.empty()) return text;
     return "";
 }
 

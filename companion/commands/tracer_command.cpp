@@ -13,6 +13,7 @@
 #include <companion/system/files.hpp>
 #include <companion/system/terminal.hpp>
 #include <ctime>
+#include <regex>
 #include <rt/image_file.hpp>
 
 namespace companion {
@@ -168,6 +169,12 @@ int tracer(const Course& course, const Given& given) {
     const std::uint64_t seed = scenes_seed(given);
     must_build(course, "tracer." + chapter.number());
     JudgedLines lines{course, course.relative(tracer_program(course))};
+    // Beside a Vec of its own, the tracer would not use the headers that it includes.
+    if (chapter.graft->reads == Graft::Reads::nothing &&
+        std::regex_search(read_text(tracer_file(course)),
+                          std::regex{"(^|\\n)struct Vec\\b[^;]*\\{"}))
+        lines({false, "Vec3 in place of Vec", "tracer.cpp still has a struct Vec",
+               "no Vec, and none of its operators and dot: the headers have them for Vec3", ""});
     judge_graft(course,
                 {chapter, tracer_program(course), course.program("tracer." + chapter.number()),
                  headers_of_tracer(course), seed, lines.begins},

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <functional>
 #include <rt/rng.hpp>
+#include <utility>
 
 namespace companion {
 namespace {
@@ -122,17 +123,21 @@ void judge_graft(const Course& course, const GraftRequest& request,
               [&](JudgedLine& line) { look_at_outlines(course, request, {}, line); });
     if (graft.reads == Graft::Reads::eye) {
         rt::Rng random{request.seed, 1};
+        const char* const about_the_eye =
+            "Set eye from words[1], words[2] and words[3] before you make the camera. It looks at "
+            "the ball's center, (0, 0, -4), with y up and a vertical field of view of radians(50). "
+            "Call primary_ray for the ray through the pixel's middle.";
+        bool has_failed = false;  // then the suggestion has been given
         for (int i = 0; i < 3; ++i) {
             std::vector<std::string> eye;
             for (const auto& [low, high] : {std::pair{-4.0, 4.0}, {0.2, 3.0}, {-1.0, 2.0}})
                 eye.push_back(std::to_string(low + (high - low) * random.uniform()));
             judge({false, "eye " + std::to_string(i + 1) + " of 3", "",
-                   "the same outlines of ball, ground and shadow",
-                   "The camera looks at the ball's center, (0, 0, -4), with y up and a vertical "
-                   "field of view of 50 degrees. Call primary_ray for the ray through the pixel's "
-                   "middle."},
+                   "the same outlines of ball, ground and shadow", has_failed ? "" : about_the_eye},
                   [&](JudgedLine& line) {
+                      const bool had_failed = std::exchange(has_failed, true);
                       look_at_outlines(course, request, eye, line);
+                      has_failed = had_failed || !line.passed;
                       line.actual = "called with " + eye[0] + ' ' + eye[1] + ' ' + eye[2] + ": " +
                                     line.actual;
                   });
@@ -145,8 +150,13 @@ void judge_graft(const Course& course, const GraftRequest& request,
         for (const Rung& rung : own_rungs(request.seed))
             if (std::count(graft.rungs.begin(), graft.rungs.end(), rung.number))
                 for (const OwnScene& scene : rung.scenes)
-                    judge({false, scene.name, "", "our picture", scene.suggestion},
-                          [&](JudgedLine& line) { look_at_still(own, ours, scene, line); });
+                    judge(
+                        {false, scene.name, "", "our picture",
+                         (rung.number == 1 ? ""
+                                           : "Does `color` change where a sphere is hit? "
+                                             "(`Color color` there would be a second variable.) ") +
+                             scene.suggestion},
+                        [&](JudgedLine& line) { look_at_still(own, ours, scene, line); });
         return;
     }
     std::vector<std::string> parts;

@@ -10,6 +10,7 @@
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
+#include <regex>
 #include <sstream>
 
 namespace companion {
@@ -20,13 +21,26 @@ constexpr std::size_t most_words = std::size_t{1} << 20;  // of the compiler's m
 // The compiler's command without input and output; the preprocessor needs these words, too.
 std::vector<std::string> compiler_words(const Course& course, const Chapter& last) {
     const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
-    std::vector<std::string> words{compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3",
-                                   "-pthread", "-Wall"};
+    std::vector<std::string> words{
+        compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3", "-pthread", "-Wall", "-Wshadow"};
     words.push_back("-I" + course.relative(course.build / "yours"));
     for (const Chapter& chapter : grafts(course))
         if (chapter.name <= last.name) words.push_back("-Ichapters/" + chapter.name);
     words.insert(words.end(), {"-Icommon", "exercises/tracer/tracer.cpp"});
     return words;
+}
+
+// The number of the later chapter whose header an error does not find; empty if there is none.
+std::string chapter_of_header(const Course& course, const Chapter& last, const std::string& error) {
+    std::smatch header;
+    if (!std::regex_search(error, header, std::regex{"rt/(\\w+\\.hpp)'?(: No such| file not)"}))
+        return "";
+    for (const Chapter& chapter : grafts(course))
+        for (const char* const kind : {"chapters", "solutions"})
+            if (chapter.name > last.name &&
+                fs::exists(course.root / kind / chapter.name / "rt" / header[1].str()))
+                return chapter.number();
+    return "";
 }
 
 }  // namespace
@@ -75,7 +89,11 @@ void compile_tracer(const Course& course, const Chapter& last) {
     }
     const std::string error = first_error(course, printable(result.output, most_words), {file});
     if (error.empty()) throw app::Failure("tracer.cpp does not compile: " + how_it_ended(result));
-    const std::string words = plain_words(error);
+    std::string words = plain_words(error);
+    if (const std::string later = chapter_of_header(course, last, error); !later.empty())
+        words = "Chapter " + later +
+                " has this header. Judge its graft once its exercises pass, or at " +
+                "once: ./course tracer --graft " + later;
     std::fprintf(stderr, "%s\n%s%s\n", error.c_str(),
                  words.empty() ? "" : "In plain words: ", words.c_str());
     throw app::Failure("tracer.cpp does not compile");

@@ -165,9 +165,12 @@ Finding sky(const Drawn& drawn) {
             "a sky with a single color in each row",
             "in row " + number(row) + " column 0 is " + color(drawn, 0, row) + " and column " +
                 number(column) + " is " + color(drawn, column, row),
-            "Calculate `up` from the row, not from the column. And does `if (hit(...))` take "
-            "a miss for a hit? In C++ every number but 0 is true, -1 as well: ask whether "
-            "the result is greater than 0"};
+            2 * row > last
+                ? "A sphere hides the sky there. Are all signs right? offset is origin - "
+                  "sphere.center, and both solutions begin with -b"
+                : "Calculate `up` from the row, not from the column. And does `if (hit(...))` take "
+                  "a miss for a hit? In C++ every number but 0 is true, -1 as well: ask whether "
+                  "the result is greater than 0"};
     });
     return finding;
 }
@@ -317,7 +320,8 @@ Finding shadow(const Drawn& drawn) {
         const char* const hint =
             "The light comes from the left, from above and from behind you: to_light is (-2, 2, "
             "1). A point is in shadow if a ray from the point in this direction meets any of the "
-            "spheres. For the point's own sphere, also look at the second t";
+            "spheres: if hit(...) is above 0, for a miss is -1, which counts as true. For the "
+            "point's own sphere, also look at the second t";
         if (kind == Place::ball)
             return {"the ball's lower right side, which is turned away from the light, is darker",
                     number(100.0 * shadow.wrong_lit / shadow.dark) + " % of it is as bright as " +
@@ -403,7 +407,9 @@ Finding unreadable() {
               "follow for each pixel, row by row"
             : "A color's components go from 0 to 1; int(255 * color.x) makes a whole number of a "
               "component. Write a space after each. A normal has length 1, so its components go "
-              "from -1 to 1, and half of (normal + 1) goes from 0 to 1"};
+              "from -1 to 1, and half of (normal + 1) goes from 0 to 1. Is t divided by (2 * a), "
+              "in "
+              "parentheses?"};
 }
 
 const Drawn& drawn() {

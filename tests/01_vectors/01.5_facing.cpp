@@ -36,10 +36,15 @@ void check_side(Vec3 normal, Vec3 to_viewer, int exponent, int other_exponent) {
 
 TEST_CASE("01.5 facing returns the sign of the cosine", "[01.5]") {
     const Vec3 normal{0, 1, 0};
-    INFO("Hint: the cosine of an angle is positive below 90 degrees and negative above");
-    CHECK(rt::facing(normal, {real(0.5), 1, 0}) == 1);
-    CHECK(rt::facing(normal, {5, real(-0.25), 3}) == -1);
-    CHECK(rt::facing(normal, {1, 0, -2}) == 0);
+    for (const auto& [to_viewer, expected] : {std::pair{Vec3{real(0.5), 1, 0}, 1},
+                                              {Vec3{5, real(-0.25), 3}, -1},
+                                              {Vec3{1, 0, -2}, 0}}) {
+        const int side = rt::facing(normal, to_viewer);
+        INFO("facing(" << text(normal) << ", " << text(to_viewer) << "): expected " << expected
+                       << ", actual " << side << ".\nHint: the dot product, " << text(to_viewer.y)
+                       << ", is positive for angles below 90 degrees and negative above");
+        CHECK(side == expected);
+    }
 }
 
 TEST_CASE("01.5 the lengths of the vectors do not matter", "[01.5]") {

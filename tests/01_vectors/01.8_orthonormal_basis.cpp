@@ -17,19 +17,24 @@ double dot_error(Vec3 a, Vec3 b, double expected) {
 
 // w itself is a unit vector only within 3.5 epsilon; building u and v adds at most 9 roundings.
 void check_basis(Vec3 w) {
-    CAPTURE(text(w));
     const rt::Basis basis = rt::orthonormal_basis(w);
     const auto& [u, v, kept] = basis;
     const double allowed = 8;
-    INFO("u = " << text(u) << ", v = " << text(v)
-                << " (the numbers compared below are in units of epsilon)");
+    INFO("orthonormal_basis(" << text(w) << ") gives u = " << text(u) << ", v = " << text(v)
+                              << ". (The numbers below are in units of epsilon.)");
     {
         const double moved = static_cast<double>(max_component(kept - w) / rt::epsilon);
         INFO("expected the third vector to be w itself, actual " << text(kept));
         REQUIRE(moved <= 4);  // normalized once more, it may move a little
     }
     {
-        INFO("Hint: u and v must have length 1; if w.z is near -1, 1 + w.z has lost its digits");
+        INFO(
+            "Hint: " << (std::isnan(u.x) || std::isnan(v.x)
+                             ? "NaN comes from dividing by 0, as when you normalize a zero vector: "
+                               "axis x w is zero if the axis is parallel to w. Compare absolute "
+                               "values to choose the axis"
+                             : "u and v must have length 1; if w.z is near -1, 1 + w.z has lost "
+                               "its digits"));
         REQUIRE(dot_error(u, u, 1) <= allowed);
         REQUIRE(dot_error(v, v, 1) <= allowed);
     }

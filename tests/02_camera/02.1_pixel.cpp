@@ -63,7 +63,8 @@ std::string suggestion(Vec2 p, Vec2 expected) {
     if (p.x == expected.x && p.y == -expected.y)
         return "your picture is upside down: row 0 is the top row, and y grows upward";
     if (std::abs(3 * p.x - 4 * expected.x) < Real(0.01))
-        return "four pixels lie side by side: divide by width, not by width - 1";
+        return "add the offset to the column, and divide by width, not by width - 1: four pixels "
+               "lie side by side";
     if (p.x == expected.x + 4)
         return "x = 0 is the middle of the viewport, not its left edge. (In C++, 1 / 2 is 0: write "
                "Real(0.5), or x / 2)";

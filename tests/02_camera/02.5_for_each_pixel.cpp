@@ -31,11 +31,17 @@ std::string text(const Tile& tile) {
 std::vector<Pixel> visited(const Tile& tile, std::size_t most) {
     std::vector<Pixel> pixels;
     rt::for_each_pixel(tile, [&](int column, int row) {
-        if (pixels.size() == most)
-            throw std::runtime_error(
-                "tile: " + text(tile) + "\nexpected " + std::to_string(most) +
-                " calls, actual: more; the next call is for " + text(Pixel{column, row}) +
-                ".\nHint: the end of a tile does not belong to it: compare with <, not with <=");
+        if (pixels.size() == most) {
+            const Pixel first = pixels.empty() ? Pixel{column, row} : pixels[0];
+            FAIL("tile: " << text(tile) << "\nexpected " << most
+                          << " calls, actual: more; the next call is for "
+                          << text(Pixel{column, row}) << ".\nHint: "
+                          << (first.column < tile.left || first.row < tile.top
+                                  ? "the loops begin at tile.left and tile.top, not at 0"
+                                  : "the end of a tile does not belong to it: compare with <, not "
+                                    "with <=. The outer loop counts with ++row, the inner one "
+                                    "with ++column"));
+        }
         pixels.push_back({column, row});
     });
     return pixels;

@@ -21,7 +21,7 @@ std::string equation(Real a, Real b, Real c) {
 }
 
 // For small whole numbers nothing is rounded: the solutions are exactly these.
-void check_exactly(Real a, Real b, Real c, Real low, Real high, const char* hint) {
+void check_exactly(Real a, Real b, Real c, Real low, Real high, const std::string& hint) {
     const auto roots = rt::solve_quadratic(a, b, c);
     const bool is_swapped = roots && low < high && roots->low == high && roots->high == low;
     INFO("solve_quadratic for " << equation(a, b, c) << ": expected (" << low << ", " << high
@@ -82,13 +82,19 @@ void check_none(const std::optional<Roots>& roots, const char* what) {
 }  // namespace
 
 TEST_CASE("03.1 both solutions are found and the smaller one comes first", "[03.1]") {
-    const char* const hint =
-        "t^2 - 3 t + 2 = (t - 1)(t - 2); low is the smaller solution, whatever the signs";
-    check_exactly(1, -3, 2, 1, 2, hint);
-    check_exactly(1, 3, 2, -2, -1, hint);
-    check_exactly(-1, 3, -2, 1, 2, hint);
-    check_exactly(-1, -3, -2, -2, -1, hint);
-    check_exactly(1, 1, -6, -3, 2, hint);
+    const auto check = [](Real a, Real b, Real c, Real low, Real high) {
+        const Real discriminant = b * b - 4 * a * c;
+        check_exactly(a, b, c, low, high,
+                      "b^2 - 4 a c is " + checkpoint::text(discriminant) + ", so t = (" +
+                          checkpoint::text(-b) + " -+ " +
+                          checkpoint::text(std::sqrt(discriminant)) + ") / (" +
+                          checkpoint::text(2 * a) + ')');
+    };
+    check(1, -3, 2, 1, 2);
+    check(1, 3, 2, -2, -1);
+    check(-1, 3, -2, 1, 2);
+    check(-1, -3, -2, -2, -1);
+    check(1, 1, -6, -3, 2);
     check_exactly(2, -6, 4, 1, 2,
                   "divide by the whole of 2 a: x / 2 * a divides by 2 and then multiplies by a");
 }

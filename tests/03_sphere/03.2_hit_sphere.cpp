@@ -78,8 +78,9 @@ const char* suggestion(const Meeting& exact, Interval within, const Hit& t) {
         exact.is_at(computed / exact.length / exact.length, exact.low))
         return "t is measured in lengths of the direction; the square of this length is "
                "a = dot(d, d)";
-    return "f is the ray's origin minus the sphere's center; solve_quadratic takes a, 2 b and c, "
-           "and roots_from_discriminant also takes 4 times your quarter of the discriminant";
+    return "f is the ray's origin minus the sphere's center, and a is dot(d, d), which is 1 only "
+           "if the direction has length 1. solve_quadratic takes a, 2 b and c; "
+           "roots_from_discriminant also takes 4 times your quarter of the discriminant";
 }
 
 // Checks only where both ends of the interval are clearly away from both solutions, in

@@ -148,7 +148,12 @@ TEST_CASE("04.1 a hit from outside has the outward normal and is in front", "[04
 TEST_CASE("04.1 a hit from inside has the outward normal and is not in front", "[04.1]") {
     const Sphere sphere{{1, 2, 3}, 2};
     const Hit hit = rt::surface_hit(sphere, {{1, 3, 3}, {0, 2, 0}}, real(0.5));
-    INFO("a ray that starts in the sphere and leaves it upward meets the point (1, 4, 3)");
+    INFO(
+        "a ray that starts in the sphere and leaves it upward: expected the point (1, 4, 3), "
+        "actual "
+        << text(hit.point)
+        << ".\nHint: the point is the center plus the radius times the normal, which points "
+           "outward even if seen from inside");
     CHECK(hit.point == Vec3{1, 4, 3});
     INFO("the normal points outward, even if seen from inside: expected (0, 1, 0), actual "
          << text(hit.normal));

@@ -105,8 +105,8 @@ TEST_CASE("04.5 each cell gets one sample and every sample counts in the average
             sum += color;
             return color;
         });
-        INFO(samples << " samples: a grid of " << n << " x " << n << " cells, and "
-                     << samples - n * n << " more anywhere");
+        INFO("samples: " << samples << ", in a grid of " << n << " x " << n << " cells and "
+                         << samples - n * n << " more anywhere; calls of sample: " << calls);
         const int empty_cells = static_cast<int>(std::count(counts.begin(), counts.end(), 0));
         REQUIRE(calls == samples);
         REQUIRE(outside == 0);

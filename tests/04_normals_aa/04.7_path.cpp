@@ -229,9 +229,11 @@ TEST_CASE("04.7 a path that hits nothing returns the sky in its direction", "[04
         CHECK(text(light) == text(sky(ray.direction)));
     }
     CHECK(world.rays == 1);
-    INFO("Hint: every t from 0 to infinity counts; leave_surface takes care of the rest");
-    CHECK(world.asked.min == 0);
-    CHECK(world.asked.max == rt::infinity);
+    {
+        INFO("Hint: every t from 0 to infinity counts; leave_surface takes care of the rest");
+        CHECK(world.asked.min == 0);
+        CHECK(world.asked.max == rt::infinity);
+    }
     const Color bounced =
         rt::path_radiance(downward, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
     INFO("the path goes straight down and up again: expected "
@@ -478,6 +480,12 @@ TEST_CASE("04.7 the throughput's largest channel decides how likely a path is to
             Color c = before;
             if (rt::play_roulette(c, real(0.95), rng) != rt::PathEnd::none) continue;
             ++going;
+            INFO("a path with the throughput "
+                 << text(before) << " goes on: expected the throughput " << text(before / bright)
+                 << ", actual " << text(c)
+                 << ".\nHint: divide by the probability: the largest "
+                    "of red, green and blue, but at most "
+                    "most_likely");
             REQUIRE(is_near(c, before / bright));
         }
         INFO("paths with the throughput "

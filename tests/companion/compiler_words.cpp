@@ -282,4 +282,28 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             "is const");
     says_of("int operator+(S a, S b) {", "expected initializer before 'operator'",
             "after a struct");
+    says_of("for (i in spheres) {", "'i' was not declared in this scope", "goes through a list");
+    says_of("for row in range(2) {", "expected '(' before 'row'", "goes through a list");
+    says_of("for (int row : tile) {", "'begin' was not declared in this scope", "To count");
+    says_of("for (int row : tile) {", "invalid range expression of type 'const rt::Tile'",
+            "To count");
+    says_of("for (int i = 0, i < n, ++i) {", "expected ';' before '<' token", "semicolons");
+    says_of("return [a.x + b.x, a.y];", "expected ',' before '.' token", "in braces");
+    says_of("Real d = b * b - 4 * a c;", "expected ',' or ';' before 'c'", "operator");
+    says_of("return a.x * b.x a.y;", "expected ';' before 'a'", "operator");
+    says_of("int height = 180;", "expected ',' or ';' before 'int'", "A semicolon is missing");
+    says_of("return {a[0] + b[0]};", "no match for 'operator[]' (operand types are 'A' and 'int')",
+            "a.x, a.y and a.z");
+    says_of("if (right = Vec3{}) return basis;",
+            "passing 'const rt::Vec3' as 'this' argument discards qualifiers", "write `==`");
+    says_of("if (d < 0) return -1;", "could not convert '-1' from 'int' to 'std::optional<Roots>'",
+            "`return {};`");
+    says_of("if (count == 4) eye = {};", "'count' was not declared in this scope", "char** words");
+    says_of("if (__comp(__b, __a))", "'__comp' cannot be used as a function",
+            "`std::max({a, b, c})`");
+    says_of("Color rt::gradient() {",
+            "explicit qualification in declaration of 'rt::Color rt::gradient()'", "without rt::");
+    says_of("const Real x = (c + o) / w - 0.5;",
+            "implicit conversion from 'rt::Real' {aka 'float'} to 'double' to match other operand",
+            "in double");
 }
