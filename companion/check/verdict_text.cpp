@@ -171,6 +171,18 @@ bool is_about_a_crash(const std::string& message) {
     return message.find("if this crashes") != std::string::npos;
 }
 
+// Whether a message names an expected and an actual value, "expected 2, actual 3", that differ. If
+// they are the same, the message belongs to an earlier assertion, or shows too few digits.
+bool compares(const std::string& message) {
+    const std::string before = "expected ", between = "actual ";
+    const auto first = message.find(before), second = message.find(between, first);
+    if (first == std::string::npos || second == std::string::npos) return false;
+    const auto begin = second + between.size();
+    std::string actual = message.substr(begin, message.find('\n', begin) - begin);
+    if (!actual.empty() && actual.back() == '.') actual.pop_back();
+    return message.substr(first, second - first).find(actual) == std::string::npos;
+}
+
 std::string describe(const FailedAssertion& failure, bool is_star) {
     // If several messages name expected values, the last counts: the others
     // belong to earlier assertions.
@@ -184,8 +196,7 @@ std::string describe(const FailedAssertion& failure, bool is_star) {
         if (!is_about_a_crash(message) && (!expects(message) || &message == &*last))
             text += wrapped(readable(message), "    ");
     // The values of an assertion add nothing where a message has compared them already.
-    const bool is_told = !is_star && last != messages.rend() &&
-                         last->find("actual ") != std::string::npos && failure.exception.empty();
+    const bool is_told = !is_star && last != messages.rend() && compares(*last);
     if (!is_told && !failure.expression.empty() && failure.expression != "FAIL" &&
         !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");

@@ -57,6 +57,20 @@ TEST_CASE("what an earlier assertion expected is left out", "[verdict_text]") {
     CHECK_FALSE(has(text, "expected 4,"));
 }
 
+TEST_CASE("values that a message has compared are not shown again", "[verdict_text]") {
+    TestCase test = failing("x", "4503.5 <= 4");
+    const auto shows_values = [&](const std::string& message) {
+        test.failures.front().messages = {message};
+        return has(told(Failing{{test}}), "checked: CHECK( a == b )");
+    };
+    CHECK_FALSE(shows_values("length: expected 7, actual 3.6.\nHint: use all three"));
+    CHECK_FALSE(shows_values("expected no hit, actual t = 4"));
+    // What was compared is something else, or its digits are too few.
+    CHECK(shows_values("expected the point (1, 4, 3), actual (1, 4, 3).\nHint: normalize"));
+    CHECK(shows_values("expected 2, but yours gives 3"));
+    CHECK(shows_values("row 2"));
+}
+
 TEST_CASE("an exercise that is begun says what comes next", "[verdict_text]") {
     Checked checked;
     checked.exercise.functions = 3;
