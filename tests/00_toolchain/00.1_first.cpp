@@ -320,8 +320,8 @@ Finding shadow(const Drawn& drawn) {
         const char* const hint =
             "The light comes from the left, from above and from behind you: to_light is (-2, 2, "
             "1). A point is in shadow if a ray from the point in this direction meets any of the "
-            "spheres: if hit(...) is above 0, for a miss is -1, which counts as true. For the "
-            "point's own sphere, also look at the second t";
+            "spheres: ask whether hit(...) is greater than 0, because a miss, -1, counts as true. "
+            "For the point's own sphere, also look at the second t";
         if (kind == Place::ball)
             return {"the ball's lower right side, which is turned away from the light, is darker",
                     number(100.0 * shadow.wrong_lit / shadow.dark) + " % of it is as bright as " +
@@ -408,8 +408,7 @@ Finding unreadable() {
             : "A color's components go from 0 to 1; int(255 * color.x) makes a whole number of a "
               "component. Write a space after each. A normal has length 1, so its components go "
               "from -1 to 1, and half of (normal + 1) goes from 0 to 1. Is t divided by (2 * a), "
-              "in "
-              "parentheses?"};
+              "in parentheses?"};
 }
 
 const Drawn& drawn() {
