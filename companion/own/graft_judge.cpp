@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <functional>
 #include <rt/rng.hpp>
-#include <utility>
 
 namespace companion {
 namespace {
@@ -103,8 +102,9 @@ void look_at_still(const OwnProgram& own, const OwnProgram& ours, const OwnScene
 void judge_graft(const Course& course, const GraftRequest& request,
                  const std::function<void(const JudgedLine&)>& report) {
     const Graft& graft = *request.chapter.graft;
+    // Returns whether the line passes; one that is not asked for does.
     const auto judge = [&](JudgedLine line, const std::function<void(JudgedLine&)>& look) {
-        if (!request.only_line.empty() && line.what != request.only_line) return;
+        if (!request.only_line.empty() && line.what != request.only_line) return true;
         request.begins(line.what);
         try {
             look(line);
@@ -112,6 +112,7 @@ void judge_graft(const Course& course, const GraftRequest& request,
             line.actual = failure.what();
         }
         report(line);
+        return line.passed;
     };
     for (const std::string& header : graft.headers)
         if (!std::count(request.headers.begin(), request.headers.end(), header))
@@ -127,20 +128,19 @@ void judge_graft(const Course& course, const GraftRequest& request,
             "Set eye from words[1], words[2] and words[3] before you make the camera. It looks at "
             "the ball's center, (0, 0, -4), with y up and a vertical field of view of radians(50). "
             "Call primary_ray for the ray through the pixel's middle.";
-        bool has_failed = false;  // then the suggestion has been given
+        bool all_pass = true;  // no suggestion has been given yet
         for (int i = 0; i < 3; ++i) {
             std::vector<std::string> eye;
             for (const auto& [low, high] : {std::pair{-4.0, 4.0}, {0.2, 3.0}, {-1.0, 2.0}})
                 eye.push_back(std::to_string(low + (high - low) * random.uniform()));
-            judge({false, "eye " + std::to_string(i + 1) + " of 3", "",
-                   "the same outlines of ball, ground and shadow", has_failed ? "" : about_the_eye},
-                  [&](JudgedLine& line) {
-                      const bool had_failed = std::exchange(has_failed, true);
-                      look_at_outlines(course, request, eye, line);
-                      has_failed = had_failed || !line.passed;
-                      line.actual = "called with " + eye[0] + ' ' + eye[1] + ' ' + eye[2] + ": " +
-                                    line.actual;
-                  });
+            all_pass &= judge(
+                {false, "eye " + std::to_string(i + 1) + " of 3", "",
+                 "the same outlines of ball, ground and shadow", all_pass ? about_the_eye : ""},
+                [&](JudgedLine& line) {
+                    look_at_outlines(course, request, eye, line);
+                    line.actual =
+                        "called with " + eye[0] + ' ' + eye[1] + ' ' + eye[2] + ": " + line.actual;
+                });
         }
     }
     if (graft.reads != Graft::Reads::scene) return;

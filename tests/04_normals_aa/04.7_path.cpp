@@ -483,9 +483,8 @@ TEST_CASE("04.7 the throughput's largest channel decides how likely a path is to
             INFO("a path with the throughput "
                  << text(before) << " goes on: expected the throughput " << text(before / bright)
                  << ", actual " << text(c)
-                 << ".\nHint: divide by the probability: the largest "
-                    "of red, green and blue, but at most "
-                    "most_likely");
+                 << ".\nHint: divide by the probability: the largest of red, green and blue, but "
+                    "at most most_likely");
             REQUIRE(is_near(c, before / bright));
         }
         INFO("paths with the throughput "
