@@ -139,9 +139,10 @@ const Meaning meanings[]{
     {"no arguments to .* that depend on a template parameter",
      "No function of this name is known here. Declare it first, or #include its header; a function "
      "of the standard library needs std:: in front."},
-    {"clause does not guard|misleading indentation",
-     "Indentation does not count in C++: put braces around all statements that belong to the `if` "
-     "or the loop."},
+    {"clause does not guard|misleading indentation|has empty body|around empty body",
+     "Indentation does not count in C++. A `;` right after the parentheses ends the `if` or the "
+     "loop: delete it. Otherwise, put braces around all statements that belong to the `if` or the "
+     "loop."},
     {"unsigned expression.*>= 0.* is always true",
      "An unsigned number, such as a std::size_t, is never negative, so this never becomes false."},
     {"is not captured|cannot be implicitly captured",

@@ -106,6 +106,26 @@ TEST_CASE("a struct that lacks its semicolon is named by the line of its brace",
     CHECK_FALSE(has_words(told("int f() {\n    return 1;\n}\nVec operator+(Vec a);\n", 4)));
 }
 
+TEST_CASE("a loop that ends before its statements is told where its variable is used", "[build]") {
+    const Course course = this_course();
+    const std::string file = "exercises/01_x/rt/a.hpp";
+    const auto told = [&](const std::string& warning, const std::string& loop,
+                          const std::string& name) {
+        return first_error(course,
+                           file + ":22:5: warning: " + warning + "\n   22 |     " + loop +
+                               "\n      |     ^~~\n" + file + ":24:16: error: '" + name +
+                               "' was not declared in this scope\n   24 |  sum += i;\n",
+                           {file})
+                   .find("the `for` in line 22 ends before") != std::string::npos;
+    };
+    const std::string gcc = "this 'for' clause does not guard... [-Wmisleading-indentation]";
+    CHECK(told(gcc, "for (int i = 0; i < n; ++i);", "i"));
+    CHECK(told(gcc, "for (const auto& i : all)", "i"));
+    CHECK(told("for loop has empty body [-Wempty-body]", "for (int i = 0; i < n; ++i);", "i"));
+    CHECK_FALSE(told(gcc, "for (int i = 0; i < n; ++i);", "length"));
+    CHECK_FALSE(told("unused variable 'i'", "for (int i = 0; i < n; ++i);", "i"));
+}
+
 TEST_CASE("the missing include of a name that is not known is told", "[build]") {
     const Course course = this_course();
     const fs::path file = "solutions/03_sphere/rt/hit_sphere.hpp";

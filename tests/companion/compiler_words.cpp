@@ -68,6 +68,7 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
              "declaration of 'max' must be available",
              "`std::max(a, b)`"));
     CHECK(says("this 'if' clause does not guard... [-Werror=misleading-indentation]", "braces"));
+    CHECK(says("for loop has empty body [-Wempty-body]", "delete it"));
     CHECK(says("misleading indentation; statement is not part of the previous 'if'", "braces"));
     CHECK(says("comparison of unsigned expression in '>= 0' is always true", "never negative"));
     CHECK(
