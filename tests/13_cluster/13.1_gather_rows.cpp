@@ -66,6 +66,15 @@ int MPI_Gatherv(const void* send, int count, MPI_Datatype type, void* receive, c
     if (is_watched) return count_sent(count, type);
     return PMPI_Gatherv(send, count, type, receive, counts, begins, received, root, ranks);
 }
+int MPI_Igatherv(const void* send, int count, MPI_Datatype type, void* receive, const int counts[],
+                 const int begins[], MPI_Datatype received, int root, MPI_Comm ranks,
+                 MPI_Request* request) {
+    if (!is_watched)
+        return PMPI_Igatherv(send, count, type, receive, counts, begins, received, root, ranks,
+                             request);
+    *request = MPI_REQUEST_NULL;
+    return count_sent(count, type);
+}
 int MPI_Send(const void* send, int count, MPI_Datatype type, int to, int tag, MPI_Comm ranks) {
     if (is_watched) return count_sent(count, type);
     return PMPI_Send(send, count, type, to, tag, ranks);
