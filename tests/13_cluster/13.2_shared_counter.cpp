@@ -26,6 +26,7 @@ int* value_that_is_late(MPI_Win window, int rank, void* result) {
 
 constexpr int every_rank = -1;
 void deliver(MPI_Win window, int rank) {
+    yields = 0;  // this rank does not hang
     std::erase_if(late, [&](const auto& one) {
         const bool is_here = one->window == window && (one->rank == rank || rank == every_rank);
         if (is_here) *static_cast<int*>(one->result) = one->value;
