@@ -185,6 +185,25 @@ TEST_CASE("13.3 finish waits until all messages have been sent", "[13.3]") {
         });
 }
 
+TEST_CASE("13.3 rank 0 may send a tile to itself", "[13.3]") {
+    // As the chapter's program does when it rehearses on a single rank.
+    on_ranks(1, [](MPI_Comm ranks) {
+        TileSender sender{ranks};
+        sender.send(3, tile_of(3, small));
+        std::optional<ArrivedTile> arrived;
+        for (int i = 0; i < 500 && !arrived; ++i) {
+            arrived = rt::receive_tile(ranks);
+            std::this_thread::sleep_for(milliseconds{1});
+        }
+        if (!arrived) return std::string{"expected tile 3 from rank 0, actual no tile after 0.5 s"};
+        sender.finish();
+        if (arrived->tile == 3 && arrived->from == 0 && arrived->pixels == tile_of(3, small))
+            return std::string{};
+        return "expected tile 3 from rank 0, actual tile " + std::to_string(arrived->tile) +
+               " from rank " + std::to_string(arrived->from) + ", or its pixels are wrong";
+    });
+}
+
 TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
     on_ranks(2, [](MPI_Comm ranks) {
         std::string wrong;
