@@ -214,6 +214,11 @@ TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
     const std::size_t points = mesh.points.size();
     rt::add_normals(mesh);
     CHECK(mesh.points.size() == points);
+    {
+        INFO("the ball has " << points << " points and " << mesh.triangles.size() << " triangles");
+        INFO("Hint: all corners at one point share a normal, so there are no more than points");
+        CHECK(mesh.normals.size() <= points);
+    }
     for (const auto& triangle : mesh.triangles)
         for (const Corner& corner : triangle) {
             const Vec3 normal = normal_of(mesh, corner);
