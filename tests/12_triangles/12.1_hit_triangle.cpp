@@ -139,6 +139,8 @@ TEST_CASE("12.1 a ray parallel to the triangle misses", "[12.1]") {
     check_none(floor, {{-5, -1, 0}, {1, 0, 0}}, {}, hint);
     check_none(floor, {{-5, 0, 0}, {1, 0, 0}}, {}, hint);
     check_none(floor, {{0, 0, 0}, {0, 0, 1}}, {-1, 1}, hint);
+    check_hit(floor, {{-5, real(0.03125), 0}, {5, real(-0.03125), 0}}, {},
+              {1, real(0.25), real(0.5)}, "a ray that comes in low hits, as it is not parallel");
 }
 
 TEST_CASE("12.1 a ray through a shared edge hits exactly one of the two triangles",
