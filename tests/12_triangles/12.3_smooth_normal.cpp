@@ -77,6 +77,23 @@ TEST_CASE("12.3 halfway between two corners the normal is their normalized mean"
                Vec3{2, 1, 1} / std::sqrt(Real(6)), "a has the weight 1 - u - v");
 }
 
+TEST_CASE("12.3 the normal is the normalized mean anywhere in the triangle", "[12.3]") {
+    rt::Rng rng{123, 7};
+    for (int i = 0; i < 5000; ++i) {
+        const Vec3 flat = any_direction(rng);
+        // Nearly the same normals, or clearly different ones.
+        const Real side = any_size(rng, -3, 0) / 2;
+        const std::array<Vec3, 3> normals{leaning(rng, flat, side), leaning(rng, flat, side),
+                                          leaning(rng, flat, side)};
+        Real u = rng.uniform(), v = rng.uniform();
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const Vec3 sum = (1 - u - v) * normals[0] + u * normals[1] + v * normals[2];
+        check_near(smooth_normal(normals, u, v, flat), sum / length_of(sum),
+                   "weigh the normals by 1 - u - v, u and v, and scale the sum to length 1, even "
+                   "if it is nearly that long");
+    }
+}
+
 TEST_CASE("12.3 a direction on the correct side stays unchanged", "[12.3]") {
     rt::Rng rng{123, 1};
     for (int i = 0; i < 20'000; ++i) {
