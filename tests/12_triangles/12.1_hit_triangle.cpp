@@ -80,8 +80,11 @@ TEST_CASE("12.1 the hit agrees with a small example on paper", "[12.1]") {
 TEST_CASE("12.1 a ray hits the triangle at the point that it was aimed at", "[12.1]") {
     rt::Rng rng{121, 1};
     for (int i = 0; i < 20'000; ++i) {
-        Real u = rng.uniform(real(0.02), real(0.96)), v = rng.uniform(real(0.02), real(0.96));
-        if (u + v > real(0.98)) continue;
+        // Near the edge at which the weight of c, of b or of a is 0, or farther inside.
+        const Real in = any_size(rng, -3, 0), along = (1 - in) * rng.uniform(real(0.01), 1);
+        const Real rest = 1 - in - along;
+        if (rest < real(0.01)) continue;
+        const Real u = i % 3 == 1 ? in : along, v = i % 3 == 0 ? in : rest;
         const Real t = any_size(rng, -2, 2);
         const auto [triangle, ray] = aimed(rng, u, v, t);
         check_hit(triangle, ray, {}, {t, u, v},
@@ -93,7 +96,7 @@ TEST_CASE("12.1 a ray hits the triangle at the point that it was aimed at", "[12
 TEST_CASE("12.1 a ray that passes beside an edge or a corner misses", "[12.1]") {
     rt::Rng rng{121, 2};
     for (int i = 0; i < 20'000; ++i) {
-        const Real out = rng.uniform(real(0.02), 1), along = rng.uniform(-1, 2);
+        const Real out = any_size(rng, -3, 0), along = rng.uniform(-1, 2);
         // Beyond the edge at which the weight of c, of b or of a is 0.
         const Real u[] = {along, -out, along}, v[] = {-out, along, 1 + out - along};
         const auto k = static_cast<std::size_t>(i % 3);
@@ -133,8 +136,11 @@ TEST_CASE("12.1 a ray parallel to the triangle misses", "[12.1]") {
     const Triangle floor{{-1, 0, -1}, {1, 0, -1}, {0, 0, 1}};
     const char* const hint = "the determinant is 0: do not divide by it";
     check_none(floor, {{-5, 1, 0}, {1, 0, 0}}, {}, hint);
+    check_none(floor, {{-5, -1, 0}, {1, 0, 0}}, {}, hint);
     check_none(floor, {{-5, 0, 0}, {1, 0, 0}}, {}, hint);
     check_none(floor, {{0, 0, 0}, {0, 0, 1}}, {-1, 1}, hint);
+    check_hit(floor, {{-5, real(0.03125), 0}, {5, real(-0.03125), 0}}, {},
+              {1, real(0.25), real(0.5)}, "a ray that comes in low hits, as it is not parallel");
 }
 
 TEST_CASE("12.1 a ray through a shared edge hits exactly one of the two triangles",
@@ -334,6 +340,16 @@ TEST_CASE("12.1 the weights are right far from the scene's origin", "[12.1][hard
         }
     }
     SUCCEED();
+}
+
+TEST_CASE("12.1 a triangle is hit however thin it is", "[12.1][hard]") {
+    for (int power = 1; power < for_this_precision(25, 200); ++power) {
+        const Real thin = std::pow(Real(10), static_cast<Real>(-power));
+        check_hit({{-1, 0, 0}, {1, 0, 0}, {0, thin, 0}}, {{0, thin / 4, 6}, {0, 0, -2}}, {},
+                  {3, real(0.375), real(0.25)},
+                  "only a triangle without area is never hit; a ray between the two neighbors of "
+                  "a thin triangle would slip through");
+    }
 }
 
 TEST_CASE("12.1 a triangle without area is never hit", "[12.1][hard]") {

@@ -104,20 +104,34 @@ TEST_CASE("12.2 a shape is hit where its triangle is hit", "[12.2]") {
                                     : point_of(triangle.shape, real(0.3), real(0.5));
         const Vec3 from = aim + 2 * any_direction(rng);
         if (off_plane(triangle.shape, exact_vector(from)) < 0.1) continue;
-        const Ray ray{from, aim - from};
-        for (const Interval within : {Interval{}, {-2, real(0.5)}, {2, 9}, {real(0.5), 2}}) {
+        // Near or far, ahead or behind.
+        const Real t = (i % 3 == 0 ? -1 : 1) * any_size(rng, -6, 6);
+        const Ray ray{from, (aim - from) / t};
+        const Interval line{-rt::infinity, rt::infinity};
+        const Real before = t - std::abs(t) / 2, after = t + std::abs(t) / 2;
+        for (const Interval within :
+             {Interval{}, line, {before, after}, {after, line.max}, {line.min, before}}) {
             const auto expected = met(triangle, ray, within);
             const auto actual = rt::hit_shape(triangle, ray, within);
-            const bool right = actual.has_value() == expected.has_value() &&
-                               (!actual || std::abs(*actual - *expected) <= 1000 * rt::epsilon);
+            const bool right =
+                actual.has_value() == expected.has_value() &&
+                (!actual || std::abs(*actual - *expected) <= 1000 * rt::epsilon * std::abs(t));
             if (right) continue;
             INFO(text(triangle.shape) << " and " << text(ray) << ", within " << text(within.min)
                                       << " to " << text(within.max));
             INFO("expected " << (expected ? text(*expected) : "none") << ", actual "
                              << (actual ? text(*actual) : "none"));
-            INFO("Hint: return the t of hit_triangle, within the same interval");
+            INFO(
+                "Hint: return the t of hit_triangle, within the same interval. Every t in it "
+                "counts, however small");
             REQUIRE(right);
         }
+        const auto found = rt::hit_shape(triangle, ray, line);
+        if (!found || rt::hit_shape(triangle, ray, {*found, *found})) continue;
+        INFO(text(triangle.shape) << " and " << text(ray) << ": found at t = " << text(*found)
+                                  << ", but not within [t, t]");
+        INFO("Hint: both ends of the interval belong to it");
+        REQUIRE(rt::hit_shape(triangle, ray, {*found, *found}));
     }
     SUCCEED();
 }
@@ -125,15 +139,24 @@ TEST_CASE("12.2 a shape is hit where its triangle is hit", "[12.2]") {
 TEST_CASE("12.2 the triangles of a mesh keep their order and get consecutive numbers", "[12.2]") {
     rt::Mesh mesh;
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    mesh.triangles = {{rt::Corner{0}, {1}, {2}}, {rt::Corner{3}, {2}, {1}}};
+    mesh.triangles = {{rt::Corner{0}, {1}, {2}},
+                      {rt::Corner{3}, {2}, {1}},
+                      {rt::Corner{3}, {2}, {1}},
+                      {rt::Corner{2}, {2}, {0}},
+                      {rt::Corner{1}, {3}, {2}}};
     const auto all = rt::triangles_of(mesh, 70'000, 16'777'216);
     INFO(
-        "the mesh has two triangles over four points, of material 70000, numbered from 16777216 on."
-        "\nHint: an index is an int; a smaller type, or a float, cuts it short");
-    REQUIRE(all.size() == 2);
+        "the mesh has five triangles over four points, of material 70000, numbered from 16777216 "
+        "on. The third is like the second, and the fourth has no area.\nHint: keep every triangle, "
+        "so that a number leads back to its triangle in the mesh. An index is an int; a smaller "
+        "type, or a float, cuts it short");
+    REQUIRE(all.size() == 5);
     CHECK(text(all[0].shape) == text(Triangle{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     CHECK(text(all[1].shape) == text(Triangle{{0, 0, 1}, {0, 1, 0}, {1, 0, 0}}));
-    for (std::size_t i = 0; i < 2; ++i) {
+    CHECK(text(all[2].shape) == text(all[1].shape));
+    CHECK(text(all[3].shape) == text(Triangle{{0, 1, 0}, {0, 1, 0}, {0, 0, 0}}));
+    CHECK(text(all[4].shape) == text(Triangle{{1, 0, 0}, {0, 0, 1}, {0, 1, 0}}));
+    for (std::size_t i = 0; i < 5; ++i) {
         CHECK(all[i].material == 70'000);
         CHECK(all[i].number == 16'777'216 + static_cast<int>(i));
     }

@@ -27,8 +27,11 @@ Place any_place(rt::Rng& rng) {
     for (;;) {
         const Real thin = rng() % 2 == 0 ? 1 : any_size(rng, for_this_precision(-2, -5), 0);
         Triangle shape = plain_triangle(rng);
-        Vec3& tip = rng() % 2 == 0 ? shape.b : shape.c;
-        tip = shape.a + thin * (tip - shape.a);
+        // Any two of its corners may be close together.
+        const auto tips = rng() % 8;
+        Vec3& tip = tips % 2 == 0 ? shape.b : shape.c;
+        const Vec3 near = tips == 7 ? shape.b : shape.a;
+        tip = near + thin * (tip - near);
         const Real size = any_size(rng, -9, 9);
         shape =
             placed(shape, size, size * any_size(rng, -2, for_this_precision(2, 5)) * in_cube(rng));
@@ -89,7 +92,9 @@ TEST_CASE("12.4 point and normal are correct for any triangle from either side",
     rt::Rng rng{124, 1};
     for (int i = 0; i < 20'000; ++i) {
         const SceneTriangle triangle{placed(plain_triangle(rng), 1, in_cube(rng)), 2, 5};
-        const Vec3 aim = point_of(triangle.shape, real(0.3), real(0.5));
+        Real u = rng.uniform(), v = rng.uniform();
+        if (u + v > 1) u = 1 - u, v = 1 - v;
+        const Vec3 aim = point_of(triangle.shape, u, v);
         const Vec3 from = aim + 2 * any_direction(rng);
         const ExactVec3 normal = exact_unit(exact_normal(triangle.shape));
         const double cosine = dot(exact_vector(from - aim), normal).high / 2;
@@ -120,10 +125,14 @@ TEST_CASE("12.4 point and normal are correct for any triangle from either side",
 TEST_CASE("12.4 a ray that leaves an ordinary triangle does not meet it again", "[12.4]") {
     rt::Rng rng{124, 2};
     for (int i = 0; i < 50'000; ++i) {
-        const SceneTriangle triangle{placed(plain_triangle(rng), 3, 2 * in_cube(rng))};
-        const Vec3 aim = point_of(triangle.shape, real(0.3) * rng.uniform(), real(0.6));
-        const Vec3 from = aim + 4 * any_direction(rng);
-        const Ray ray{from, aim - from};
+        SceneTriangle triangle{placed(plain_triangle(rng), 3, 2 * in_cube(rng))};
+        const Real u = real(0.3) * rng.uniform();
+        // In some scenes, the point or the ray's origin is at (0, 0, 0).
+        if (i % 3 == 1)
+            triangle.shape = placed(triangle.shape, 1, -point_of(triangle.shape, u, real(0.6)));
+        const Vec3 aim = point_of(triangle.shape, u, real(0.6));
+        const Vec3 from = i % 3 == 2 ? Vec3{} : aim + 4 * any_direction(rng);
+        const Ray ray{from, (aim - from) / any_size(rng, -3, 3)};
         const auto met = rt::hit_triangle(triangle.shape, ray, {});
         if (!met) continue;
         const Hit hit = rt::surface_hit(triangle, ray, met->t);

@@ -101,11 +101,14 @@ TEST_CASE("12.5 polygons with any number of corners keep the order of their corn
         }
         std::vector<Corner> around;
         for (int i = 0; i < n; ++i) around.push_back({i});
-        all.polygons = {corners({0, 1, 2}), around};
+        for (int i = 0; i < 3; ++i) all.points.push_back(all.points[static_cast<std::size_t>(i)]);
+        all.polygons = {corners({n, n + 1, n + 2}), around};
         const Mesh mesh = rt::make_mesh(all);
         INFO("the polygons are a triangle, and then a polygon with " << n << " corners");
         REQUIRE(mesh.triangles.size() == static_cast<std::size_t>(n - 1));
-        CHECK(mesh.triangles[0] == std::array<Corner, 3>{Corner{0}, Corner{1}, Corner{2}});
+        auto front = mesh.triangles[0];
+        std::rotate(front.begin(), std::find(front.begin(), front.end(), Corner{n}), front.end());
+        CHECK(front == std::array<Corner, 3>{Corner{n}, Corner{n + 1}, Corner{n + 2}});
         const double first = exact_normal(shapes_of(mesh)[0]).z.high;
         const double actual = area_of(mesh).z.high - first;
         INFO("expected twice the area " << area << ", actual " << actual);
@@ -121,7 +124,11 @@ TEST_CASE("12.5 each corner keeps its normal and its texture coordinates", "[12.
     all.polygons = {{{0, 0, 0}, {1, 1, 1}, {2, -1, 2}, {3, 0, -1}}};
     const Mesh mesh = rt::make_mesh(all);
     REQUIRE(mesh.triangles.size() == 2);
-    CHECK(mesh.places.size() == 3);
+    REQUIRE(mesh.places.size() == 3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        INFO("Hint: the texture coordinates stay as they are; y grows upward in a mesh, too");
+        CHECK((mesh.places[i].x == all.places[i].x && mesh.places[i].y == all.places[i].y));
+    }
     for (const auto& triangle : mesh.triangles)
         for (const Corner& corner : triangle) {
             const Corner& given = all.polygons[0].at(static_cast<std::size_t>(corner.point));
@@ -207,6 +214,11 @@ TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
     const std::size_t points = mesh.points.size();
     rt::add_normals(mesh);
     CHECK(mesh.points.size() == points);
+    {
+        INFO("the ball has " << points << " points and " << mesh.triangles.size() << " triangles");
+        INFO("Hint: all corners at one point share a normal, so there are no more than points");
+        CHECK(mesh.normals.size() <= points);
+    }
     for (const auto& triangle : mesh.triangles)
         for (const Corner& corner : triangle) {
             const Vec3 normal = normal_of(mesh, corner);
@@ -235,15 +247,36 @@ TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
 TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
     Polygons all = square();
     all.normals = {{1, 0, 0}, {0, 1, 0}};
-    all.polygons = {{{0, 1}, {1}, {2, 0}, {3}}};
+    all.places = {{0, 0}, {1, 1}};
+    all.polygons = {{{0, 1, 0}, {1, -1, 1}, {2, 0, -1}, {3, -1, -1}}};
     Mesh mesh = rt::make_mesh(all);
     rt::add_normals(mesh);
+    for (const auto& triangle : mesh.triangles)
+        for (const Corner& corner : triangle) {
+            INFO("the corner at point " << corner.point);
+            INFO("Hint: a new normal changes nothing else in a corner");
+            CHECK(corner.place == all.polygons[0].at(static_cast<std::size_t>(corner.point)).place);
+        }
     const auto expected_at = [](int point) {
         return point == 0 ? Vec3{0, 1, 0} : point == 2 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};
     };
     check_normals(mesh, expected_at,
                   "a square whose first and third corner have normals of their own",
                   "only corners without a normal get one");
+}
+
+TEST_CASE("12.5 a triangle counts in proportion to its area", "[12.5]") {
+    // Seen from their common edge, the first triangle has twice the area of the second, and twice
+    // its angle: 90 degrees and 45.
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, real(0.5), real(0.5)}};
+    mesh.triangles = {{Corner{0}, {1}, {2}}, {Corner{0}, {2}, {3}}};
+    rt::add_normals(mesh);
+    const Vec3 expected = Vec3{1, 0, 2} / std::sqrt(Real(5));
+    const Vec3 actual = normal_of(mesh, mesh.triangles[0][0]);
+    HINT(expected, actual,
+         "add up the cross products as they are: each is as long as twice its triangle's area");
+    CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
 }
 
 TEST_CASE("12.5 triangles that have normals count for their neighbors' normals", "[12.5]") {
@@ -292,6 +325,34 @@ TEST_CASE("12.5 no triangle of a polygon with a notch lies outside the polygon",
     }
 }
 
+TEST_CASE("12.5 a fan may have to start at a corner that is no notch", "[12.5][hard]") {
+    // From the origin to a zigzag around it: no other corner sees all of it.
+    std::vector<Vec3> points{{0, 0, 0}};
+    for (int i = 0; i < 9; ++i) {
+        const double angle = 0.17 * i, far = i % 2 == 0 ? 4 : 2;
+        points.push_back({real(far * std::cos(angle)), 0, real(-far * std::sin(angle))});
+    }
+    for (const int power : {-30, 0, 30})
+        for (int start = 0; start < 10; ++start) {
+            Polygons all;
+            for (const Vec3 point : points)
+                all.points.push_back(std::scalbn(Real(1), power) * point);
+            auto around = corners({0, 1, 2, 3, 4, 5, 6, 7, 8, 9});
+            std::rotate(around.begin(), around.begin() + start, around.end());
+            all.polygons = {around};
+            for (const Triangle& triangle : shapes_of(rt::make_mesh(all))) {
+                INFO("a zigzag around its first corner, scaled by 2^"
+                     << power << ", beginning at its corner " << start
+                     << " on: " << text(triangle));
+                INFO(
+                    "Hint: try all corners, and look at all triangles of each fan. Compare an area "
+                    "with 0, as polygons may have any size");
+                REQUIRE(exact_normal(triangle).y.high > 0);
+            }
+        }
+    SUCCEED();
+}
+
 TEST_CASE("12.5 a polygon without a valid fan is still cut", "[12.5][hard]") {
     Polygons all;
     all.points = {{0, 0, 0}, {1, 0, 0}, {3, 0, 0}, {2, 0, 0}};  // on a line
@@ -321,7 +382,10 @@ TEST_CASE("12.5 normals of length 0 count as missing", "[12.5][hard]") {
     const Mesh mesh = rt::make_mesh(all);
     for (const auto& triangle : mesh.triangles)
         for (const Corner& corner : triangle)
-            CHECK(corner.normal == (corner.point % 2 == 0 ? -1 : 1));
+            if (corner.point % 2 == 0)
+                CHECK(corner.normal == -1);
+            else
+                CHECK(normal_of(mesh, corner) == Vec3{0, 0, 1});
 }
 
 TEST_CASE("12.5 tiny and huge normals are scaled to length 1", "[12.5][hard]") {
@@ -342,7 +406,7 @@ TEST_CASE("12.5 a cube's normals do not depend on how its sides are cut", "[12.5
         const Mesh plain = mesh;
         // At any scale, and as a box whose sides have other areas, too.
         for (Vec3& point : mesh.points) {
-            point *= std::scalbn(Real(1), i - 25);
+            point *= std::scalbn(Real(1), 2 * (i - 25));
             if (i % 2 == 0) point = {point.x, 2 * point.y, 5 * point.z};
         }
         const auto turned = [&](Vec3 p) {
@@ -365,6 +429,19 @@ TEST_CASE("12.5 a cube's normals do not depend on how its sides are cut", "[12.5
             }
     }
     SUCCEED();
+}
+
+TEST_CASE("12.5 an obtuse angle counts for more than a right angle", "[12.5][hard]") {
+    // The angles at the first point are 135 and 45 degrees, and the areas are 1/2 and 8.
+    Mesh mesh;
+    mesh.points = {{0, 0, 0}, {1, -1, 0}, {0, 1, 0}, {0, 4, 0}, {0, 4, 4}};
+    mesh.triangles = {{Corner{0}, {1}, {2}}, {Corner{0}, {3}, {4}}};
+    rt::add_normals(mesh);
+    const Vec3 expected = Vec3{1, 0, 3} / std::sqrt(Real(10));
+    const Vec3 actual = normal_of(mesh, mesh.triangles[0][0]);
+    HINT(expected, actual,
+         "the angle of atan2 is between 0 and pi; a sine is the same for 135 degrees as for 45");
+    CHECK(rt::max_component(actual - expected) <= 16 * rt::epsilon);
 }
 
 TEST_CASE("12.5 a corner gets no normal where the normals cancel", "[12.5][hard]") {

@@ -185,6 +185,25 @@ TEST_CASE("13.3 finish waits until all messages have been sent", "[13.3]") {
         });
 }
 
+TEST_CASE("13.3 rank 0 may send a tile to itself", "[13.3]") {
+    // As the chapter's program does when it rehearses on a single rank.
+    on_ranks(1, [](MPI_Comm ranks) {
+        TileSender sender{ranks};
+        sender.send(3, tile_of(3, small));
+        std::optional<ArrivedTile> arrived;
+        for (int i = 0; i < 500 && !arrived; ++i) {
+            arrived = rt::receive_tile(ranks);
+            std::this_thread::sleep_for(milliseconds{1});
+        }
+        if (!arrived) return std::string{"expected tile 3 from rank 0, actual no tile after 0.5 s"};
+        sender.finish();
+        if (arrived->tile == 3 && arrived->from == 0 && arrived->pixels == tile_of(3, small))
+            return std::string{};
+        return "expected tile 3 from rank 0, actual tile " + std::to_string(arrived->tile) +
+               " from rank " + std::to_string(arrived->from) + ", or its pixels are wrong";
+    });
+}
+
 TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
     on_ranks(2, [](MPI_Comm ranks) {
         std::string wrong;
@@ -203,14 +222,12 @@ TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
 
 TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
     on_ranks(2, [](MPI_Comm ranks) {
-        constexpr int count = 40;
+        constexpr int count = 40, late = 5;
         if (rt::rank_of(ranks) == 0) {
-            std::string wrong = receive(
-                ranks, count, [](int) { return large; }, from_rank_1);
+            const auto size_of = [](int tile) { return tile <= count ? large : small; };
+            std::string wrong = receive(ranks, count - late, size_of, from_rank_1);
             MPI_Barrier(ranks);
-            if (wrong.empty())
-                wrong = receive(
-                    ranks, 8, [](int) { return small; }, from_rank_1);
+            if (wrong.empty()) wrong = receive(ranks, late + 8, size_of, from_rank_1);
             return wrong;
         }
         TileSender sender{ranks};
@@ -224,10 +241,10 @@ TEST_CASE("13.3 messages that have been sent are forgotten", "[13.3][hard]") {
         }
         sender.finish();
         if (most < count / 2) return std::string{};
-        return "rank 0 has received 40 tiles, and then 8 more are sent: expected hardly more than "
-               "these 8 to be kept, actual " +
+        return "rank 0 has received 35 of 40 tiles, and then 8 more are sent: expected hardly more "
+               "than the other 5 and these 8 to be kept, actual " +
                std::to_string(most) +
-               "\nHint: MPI_Test tells you whether a message has been sent; std::erase_if can "
-               "then remove it";
+               "\nHint: MPI_Test tells you of each message whether it has been sent; std::erase_if "
+               "can then remove it";
     });
 }

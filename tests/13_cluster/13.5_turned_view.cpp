@@ -72,6 +72,15 @@ TEST_CASE("13.5 the camera keeps its height and distance", "[13.5]") {
     }
 }
 
+TEST_CASE("13.5 a camera straight above the point stays there", "[13.5]") {
+    const View view{{1, 7, 3}, {1, 2, 3}, {0, 4, 0}, 1};
+    for (int frame = 0; frame < 5; ++frame) {
+        INFO("frame " << frame << " of 5: the part of the vector to the camera that turns is 0");
+        check_near(rt::turned_view(view, frame, 5).from, view.from, 7,
+                   "a vector of length 0 has no direction: do not normalize the part that turns");
+    }
+}
+
 TEST_CASE("13.5 a whole turn gives exactly the original view", "[13.5][hard]") {
     rt::Rng random{135, 3};
     for (int i = 0; i < 100; ++i) {

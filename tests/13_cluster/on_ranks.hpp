@@ -180,6 +180,8 @@ class Group {
             // second.
             {"OMPI_MCA_pml", "ob1"},
             {"OMPI_MCA_btl", "self,vader"},
+            // As the chapter's program does: one more kind of window for memory of one's own.
+            {"OMPI_MCA_osc", "sm,pt2pt"},
             // Containers may not read each other's memory.
             {"OMPI_MCA_btl_vader_single_copy_mechanism", "none"}};
         process_ = ::fork();

@@ -12,11 +12,12 @@ namespace checkpoint {
 // An empty folder that is deleted with everything in it.
 class TemporaryFolder {
   public:
-    TemporaryFolder() {
+    explicit TemporaryFolder(
+        const std::filesystem::path& parent = std::filesystem::temp_directory_path()) {
         static std::atomic<int> count = 0;
         // With a space in its name: code that handles paths carelessly must fail.
-        path_ = std::filesystem::temp_directory_path() /
-                ("course test " + std::to_string(::getpid()) + '.' + std::to_string(++count));
+        path_ =
+            parent / ("course test " + std::to_string(::getpid()) + '.' + std::to_string(++count));
         std::filesystem::create_directories(path_);
     }
     ~TemporaryFolder() {
