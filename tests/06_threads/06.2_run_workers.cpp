@@ -357,18 +357,25 @@ TEST_CASE("06.2 several calls at the same time do not affect each other", "[06.2
 TEST_CASE("06.2 if a thread cannot be started no other is left running", "[06.2][hard]") {
     run_workers(0, [](int) {});
     const std::string actual = in_own_process([]() -> std::string {
-        if (!leave_room_for_few_threads()) return "std::system_error";  // cannot be tried here
+        const std::string right = "std::system_error, and no thread runs on";
+        if (!leave_room_for_few_threads()) return right;  // cannot be tried here
+        const auto ended = std::make_shared<std::atomic<int>>(0);
         try {
-            run_workers(1000, [](int) {});
+            run_workers(1000, [ended](int) {
+                std::this_thread::sleep_for(std::chrono::milliseconds{20});
+                ++*ended;
+            });
         } catch (const std::system_error&) {
-            return "std::system_error";
+            const int ended_by_then = *ended;
+            std::this_thread::sleep_for(std::chrono::milliseconds{60});
+            return *ended == ended_by_then ? right : "std::system_error, but threads run on";
         }
         return "no exception";
     });
     INFO(
         "the system has no more threads, and the constructor of std::thread throws.\nHint: the "
         "threads that were started before must still be joined. JoinGuard does that");
-    CHECK(actual == "std::system_error");
+    CHECK(actual == "std::system_error, and no thread runs on");
 }
 
 TEST_CASE("06.2 pictures with fewer rows than workers or no rows are rendered", "[06.2][hard]") {
@@ -380,4 +387,11 @@ TEST_CASE("06.2 pictures with fewer rows than workers or no rows are rendered", 
             INFO(grid.width << 'x' << grid.height << " pixels, " << workers << " workers");
             CHECK_RENDERED_ONCE(counts);
         }
+    MeetingPlace place;
+    std::atomic<int> met = 0;
+    render_slices({9, 3}, 7, [&](const Tile&, int) { met += place.wait_for(3); });
+    INFO(
+        "7 workers and only 3 rows: how many slices are rendered at the same time.\nHint: call "
+        "run_workers even if there are fewer rows than workers");
+    CHECK(met == 3);
 }

@@ -115,6 +115,29 @@ TEST_CASE("06.3 render_tiles renders every pixel once", "[06.3]") {
     CHECK(std::count(counts.begin(), counts.end(), 1) == 120'000);
 }
 
+TEST_CASE("06.3 workers that reach for the last tile together take it once", "[06.3]") {
+    // Two workers meet in the first two tiles, leave them at the same moment, one of them a little
+    // later in each picture, and go for the third tile.
+    for (int picture = 0; picture < 500; ++picture) {
+        std::atomic<int> there = 0;
+        std::atomic<int> counts[4] = {};  // of each tile, and of anything else
+        rt::render_tiles({3, 1, 1}, 2, [&](const Tile& tile, int) {
+            ++counts[0 <= tile.left && tile.left < 3 ? tile.left : 3];
+            const int mine = there++;
+            for (int turn = 0; there < 2 && turn < 30'000; ++turn) continue;
+            for (std::atomic<int> wait = mine == 1 ? picture % 64 : 0; wait > 0;) --wait;
+        });
+        INFO(
+            "3 tiles, 2 workers: how often each tile is rendered, and any other.\nHint: between "
+            "asking whether a tile is left and taking it, another worker may take it. Call "
+            "take_tile, and render what it returns");
+        const std::string actual = std::to_string(counts[0]) + ' ' + std::to_string(counts[1]) +
+                                   ' ' + std::to_string(counts[2]) +
+                                   ", other: " + std::to_string(counts[3]);
+        REQUIRE(actual == "1 1 1, other: 0");
+    }
+}
+
 TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
     for (const int workers : {1, 2, 7, 64}) {
         Roll roll{workers};  // each waits in its tile for all the others
@@ -126,6 +149,13 @@ TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
             << "own number to work");
         REQUIRE(roll.complaint() == "");
     }
+    MeetingPlace place;
+    std::atomic<int> met = 0;
+    rt::render_tiles({9, 3, 3}, 7, [&](const Tile&, int) { met += place.wait_for(3); });
+    INFO(
+        "7 workers and only 3 tiles: how many tiles are rendered at the same time.\nHint: call "
+        "run_workers even if there are fewer tiles than workers");
+    CHECK(met == 3);
 }
 
 TEST_CASE("06.3 a slow tile does not hold up the others", "[06.3]") {

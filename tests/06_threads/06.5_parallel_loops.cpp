@@ -219,16 +219,21 @@ TEST_CASE("06.5 with OpenMP a free thread takes the next job", "[06.5][hard]") {
     // wait for jobs of its own.
     constexpr int jobs = 40;
     for (const int slow : {0, 17, jobs - 1}) {
-        std::atomic<int> done = 0;
+        std::atomic<int> ended = 0;
         std::atomic<bool> free = true;
-        rt::spread_by_openmp()(jobs, 2, [&](int job, int) {
-            if (job == slow && !comes([&] { return done == jobs - 1; })) free = false;
-            ++done;
+        Done done{jobs, 2};
+        rt::spread_by_openmp()(jobs, 2, [&](int job, int worker) {
+            done(job, worker, [&] {
+                if (job == slow && !comes([&] { return ended == jobs - 1; })) free = false;
+            });
+            ++ended;
         });
         INFO("job " << slow << " is slow");
         const std::string actual =
             free ? "the other thread did the rest" : "jobs waited for the slow one";
         CHECK(actual == "the other thread did the rest");
+        INFO("Hint: a worker is a thread, so its number is omp_get_thread_num(), whatever its job");
+        CHECK(done.wrong() == "");
         if (!free) break;
     }
 }

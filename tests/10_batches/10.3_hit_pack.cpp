@@ -122,7 +122,11 @@ TEST_CASE("10.3 rays from all sides give the hits of hit_sphere", "[10.3]") {
         const Real radius = any_size(rng, -3, 3);
         const Sphere sphere{Real(10) * radius * in_cube(rng), radius};
         Rays rays;
-        for (OneRay& one : rays) one.ray = any_ray(rng, sphere, 2);
+        for (OneRay& one : rays) {
+            one.ray = any_ray(rng, sphere, 2);
+            // An origin that is no sum of the center and another vector.
+            one.ray.origin = rng.uniform(real(0.999), real(1.001)) * one.ray.origin;
+        }
         check_pack(sphere, round, rays,
                    "use the operations of hit_sphere in the same order, each for all rays at once");
     }

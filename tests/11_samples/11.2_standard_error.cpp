@@ -221,6 +221,9 @@ TEST_CASE("11.2 probabilities are accurate for small distances and errors of all
         for (const Real ratio : {Real(0.5), Real(1), Real(2)})
             if (ratio >= 1 || size > 1) check_chance(size * ratio, size, exact_chance(ratio), hint);
     check_chance(largest, largest, exact_chance(1), hint);
+    const Real least = std::numeric_limits<Real>::denorm_min();
+    check_chance(least, least, exact_chance(1), hint);
+    check_chance(6 * least, 3 * least, exact_chance(2), hint);
     check_chance(largest, smallest, 1, hint);
     check_chance(largest, 1, 1, hint);
     check_chance(1, smallest, 1, hint);
@@ -271,6 +274,14 @@ TEST_CASE("11.2 counts of all sizes are correct", "[11.2][hard]") {
     const Real bit_more =
         1 + for_this_precision(std::ldexp(Real(1), -20), std::ldexp(Real(1), -40));
     check_count(bit_more, Real(0.5), any, 5, "a count even slightly above 4 is rounded up to 5");
+    for (const int whole : {2, 3, 5, 6, 7, 8, 1000})
+        check_count(static_cast<Real>(whole), 1, any, whole,
+                    "the root of the variance is rounded, so its square may be a little more than "
+                    "the variance: divide the variance itself");
+    // The square of this error has lost its digits.
+    const int lossy = for_this_precision(-74, -536);
+    check_rounded_count(std::ldexp(Real(1), 10 + 2 * lossy), std::ldexp(real(1.3), lossy), any,
+                        overflow_hint);
     // The squares of these errors are 0 and infinite.
     const int low_power = for_this_precision(-80, -540), high_power = for_this_precision(70, 520);
     check_count(std::ldexp(Real(1), 10 + low_power), std::ldexp(Real(1), low_power), any, any,

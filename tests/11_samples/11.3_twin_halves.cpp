@@ -388,7 +388,9 @@ TEST_CASE("11.3 sample counts are correct for errors and spreads of all sizes", 
     for (const Real large : {Real(1e5), Real(1e10), Real(1e15)}) {
         check_worth(large, large, 1, any, {most_of_all, most_of_all}, overflow_hint);
         check_worth(large, large, 1, {3, 9}, {9, 9}, overflow_hint);
+        check_counts({large, large}, {large, large}, 1, any, overflow_hint);
     }
+    check_worth(largest, largest, largest / 16, any, {256, 256}, overflow_hint);
     check_worth(largest, largest, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(largest, 1, smallest, any, {most_of_all, most_of_all}, overflow_hint);
     check_worth(smallest, smallest, largest, any, {1, 1}, overflow_hint);
@@ -419,7 +421,7 @@ TEST_CASE("11.3 mean and error are accurate for means of all sizes", "[11.3][har
     const auto check_error = [&](Halves<Real> mean, Real expected, const char* hint) {
         check("the square error", mean, rt::twin_square_error(mean), expected, hint);
     };
-    const Real far = for_this_precision(Real(1 << 22), std::ldexp(Real(1), 50));
+    const Real far = for_this_precision(Real(1 << 23), std::ldexp(Real(1), 52));
     for (const Real sign : {Real(1), Real(-1)}) {
         const char* const hint =
             "subtract first, then square: the squares of two large, almost equal numbers cancel";
@@ -427,6 +429,8 @@ TEST_CASE("11.3 mean and error are accurate for means of all sizes", "[11.3][har
         check_error({sign * far + 1, sign * far}, Real(0.25), hint);
         check_error({sign * far, sign * far}, 0, hint);
     }
+    const Real tiny = std::ldexp(Real(1), for_this_precision(-40, -400));
+    check_error({tiny, 3 * tiny}, tiny * tiny, "a small difference counts, too");
     // 2^64 or 2^512: the square of this does not fit, that of half of it does.
     const Real edge = std::ldexp(Real(1), for_this_precision(64, 512));
     check_error({edge, 0}, edge / 2 * (edge / 2), "halve the difference before you square it");

@@ -443,6 +443,12 @@ TEST_CASE("11.6 very bright and very dark light is filtered correctly", "[11.6][
         check_denoised(scene, any_widths(rng, 2),
                        "do not square the light, limit it or add anything to it");
     }
+    // A lamp that still counts at a distance where its weight is 10^-15.
+    Scene scene{7, 5};
+    scene.picture = Image(7, 5, {1, 2, 3});
+    scene.picture.at(0, 2) = {real(1e20), real(2e20), 0};
+    check_denoised(scene, {5, real(0.6)},
+                   "do not leave out small weights: a small weight may belong to a bright pixel");
 }
 
 TEST_CASE("11.6 weights are accurate for extreme widths and distant pixels", "[11.6][hard]") {

@@ -15,7 +15,8 @@ class HauntedCounter {
     using value_type = int;
     using Order = std::memory_order;
 
-    // The other worker comes after every step, or after half of the steps, picked at random.
+    // The other worker comes after every step, or after half of the steps, picked at random. After
+    // every step but an exchange that failed, because a loop that tries again would never end.
     explicit HauntedCounter(unsigned seed) : always{seed == 0}, guests{seed, 6} {}
 
     int fetch_add(int n, Order = {}) {
@@ -44,7 +45,7 @@ class HauntedCounter {
     }
     bool compare_exchange_strong(int& expected, int desired, Order = {}, Order = {}) {
         const bool same = value_ == expected;
-        expected = step([&] { return same ? std::exchange(value_, desired) : value_; });
+        expected = step([&] { return same ? std::exchange(value_, desired) : value_; }, same);
         return same;
     }
     bool compare_exchange_weak(int& expected, int desired, Order = {}, Order = {}) {
@@ -59,9 +60,9 @@ class HauntedCounter {
 
   private:
     template <class Step>
-    int step(Step work) const {
+    int step(Step work, bool succeeds = true) const {
         const int result = work();
-        if (always || guests() % 2 == 0) taken.push_back(value_++);
+        if (always ? succeeds : guests() % 2 == 0) taken.push_back(value_++);
         return result;
     }
 
