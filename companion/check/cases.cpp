@@ -30,6 +30,8 @@ std::string cause_of(const Result& result, const TestCase* test) {
             if (result.output.find("_M_is_engaged()' failed") != std::string::npos)
                 return "it used the value of an empty std::optional: before you write `*name` or "
                        "`name->`, test it with `if (name)`";
+            if (result.output.find("pointer()' failed") != std::string::npos)
+                return "it dereferenced an empty unique_ptr";
             if (result.output.find("size()' failed") != std::string::npos)
                 return "an index is out of range: the first is 0, and the last is size() - 1";
             return "it was aborted: an index is out of range, an empty std::optional has no value, "

@@ -48,8 +48,19 @@ const Habit habits[]{
      "Is an operator such as `*` missing between two names, or a semicolon?"},
     {"no match for .operator\\[\\]|does not provide a subscript operator", "",
      "A Vec3 is not a list: its components are a.x, a.y and a.z."},
-    {"discards qualifiers|no viable overloaded .=", "\\bif \\([^=!<>]+ = [^=]",
-     "`=` assigns to the left side; write `==` to compare."},
+    {"expected", "\\w\\[[^\\[\\]?:]*:[^\\[\\]:]*\\]",
+     "C++ has no slices. For a span, `order.first(k)` are its first k elements, and "
+     "`order.subspan(k)` are the rest."},
+    {"no matching function", "std::sort\\([\\w.]+, *\\[",
+     "std::sort needs a begin and an end: `std::sort(list.begin(), list.end(), ...)`."},
+    {"discards qualifiers|no viable overloaded .=", "\\*__",
+     "The elements of this list are const, so they cannot be sorted or changed."},
+    {"no match for .operator<|invalid operands", "__b < __a|__a < __b",
+     "std::min and std::max cannot compare these values: call them for each component."},
+    {"no matching function", "get_if<\\w+>\\([^&]",
+     "std::get_if needs an address, with &: `std::get_if<Metal>(&material)`."},
+    {"discards qualifiers|no viable overloaded .=|read-only|const-qualified",
+     "\\bif \\([^=!<>]+ = [^=]", "`=` assigns to the left side; write `==` to compare."},
     {"expected .\\(.|expected", "^[^?/]*\\b(if|while|for|else)\\b[^;?]*:\\s*$",
      "Write the condition in parentheses and the statements in braces: `if (x > 0) { ... }`."},
     {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
@@ -83,6 +94,9 @@ const Habit habits[]{
     {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",
      "(^|[^:\\w])abs\\(",
      "For numbers, write `std::abs`; plain `abs` may be a different function."},
+    {"'(max|min)' was not declared|undeclared identifier .(max|min)\\b|"
+     "no arguments to .(max|min). that depend",
+     "", "Write std:: in front: `std::max(a, b)`, or `std::max({a, b, c})` for three values."},
     {"was not declared|undeclared", "^[\\s\\d|]*\\w+ = ",
      "If the name is new, the line needs its type, such as `const Real x = ...;`. If the variable "
      "exists already, is its name misspelled, or is it declared in another block?"},
@@ -91,6 +105,11 @@ const Habit habits[]{
     {"expected unqualified-id$", "^[\\s\\d|]*\\{", "Is there a `;` too many before this brace?"},
     {"operand of comma|expression result unused|to itself", "^[\\s\\d|]*[\\w.]+, [\\w.]+ = ",
      "C++ assigns one value at a time. To swap two, write `std::swap(a, b);`."},
+    {"'math' was not declared|undeclared identifier 'math'", "",
+     "C++ has no `math.`: write std:: in front of its functions, as in `std::sqrt(x)`, and `pi`."},
+    {"cannot convert|could not convert|no viable conversion|no matching",
+     "\\w\\(\\([^(){}]+, [^(){}]+\\)\\)",
+     "A comma does not make a list in C++. Write braces: `f({x, y, z})`."},
     {"left.* operand of comma|expression result unused|no viable conversion|could not "
      "convert|cannot convert",
      "return \\(?[^(){}]+, [^(){}]+\\)?;",
@@ -130,12 +149,11 @@ const Meaning meanings[]{
     {"infinite recursion|all paths through this function will call itself",
      "The function calls itself in every case, so it never ends. There must be a case in which it "
      "returns without calling itself."},
-    {"non-static member function must|invalid use of (non-static )?member function",
+    {"non-static member function must|invalid use of (non-static )?member function|"
+     "from type .*::\\)\\(",
      "A function is called with parentheses, even without arguments: `image.width()`."},
     {"forbids declaration of .* with no type|requires a type specifier",
      "The type of the result stands before the function's name, as in `Color gradient(...)`."},
-    {"no arguments to .(max|min). that depend|undeclared identifier .(max|min)\\b",
-     "Write std:: in front: `std::max(a, b)`, or `std::max({a, b, c})` for three values."},
     {"no arguments to .* that depend on a template parameter",
      "No function of this name is known here. Declare it first, or #include its header; a function "
      "of the standard library needs std:: in front."},
@@ -145,6 +163,12 @@ const Meaning meanings[]{
      "loop."},
     {"unsigned expression.*>= 0.* is always true",
      "An unsigned number, such as a std::size_t, is never negative, so this never becomes false."},
+    {"different signedness|integers of different signs",
+     "An unsigned number, such as a size, is compared with an int: convert it, as in "
+     "`static_cast<int>(list.size())`."},
+    {"not a constant expression",
+     "This value must be known when the code is compiled, and it is not."},
+    {"prevents copy elision", "Write `return name;`: a local value is moved without std::move."},
     {"is not captured|cannot be implicitly captured",
      "Begin the lambda with `[&]`, so that it may use the variables around it."},
     {"ambiguous",
@@ -181,6 +205,15 @@ const Meaning meanings[]{
     {"(optional).*(has no member)|no member named.*in .*optional",
      "This is a std::optional, which may be empty: test `if (name)` first, and then write "
      "`name->member`."},
+    {"unique_ptr.*has no member named|no member named .* in .*unique_ptr",
+     "This is a unique_ptr: write `name->member` for a member of what it points to."},
+    {"operand of .->. has non-pointer type|member reference type .* is not a pointer",
+     "This is not a pointer: write `name.member`."},
+    {"of non-class type|is not a structure or union",
+     "This value has no members: is it a number, or are parentheses missing where it is made?"},
+    {"unary .\\*|indirection requires pointer",
+     "Only a pointer or a std::optional has a value behind it: without the `*`, this is the "
+     "value."},
     {"never closed|expected .\\}. at end of input|extraneous closing brace|"
      "expected declaration before .\\}. token|function definition is not allowed here|"
      "a function-definition is not allowed here",
@@ -228,6 +261,9 @@ const Meaning meanings[]{
      "`std::max({a, b, c})`."},
     {"explicit qualification in declaration|extra qualification",
      "Within `namespace rt { ... }`, the name is written without rt::."},
+    {"no match for call to .*<lambda|call to object of type .\\(lambda",
+     "The lambda is called with other arguments than it takes. For std::sort, it takes two "
+     "elements, and returns whether the first comes before the second."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",
      "The name before the ( is a value, not a function. Is an operator missing, or does a variable "
      "have the same name as the function?"},
@@ -242,6 +278,9 @@ const Meaning meanings[]{
      "namespace|has not been declared",
      "This name is not known here. Is it misspelled, declared in another block or further down, or "
      "does it need std:: or an #include?"},
+    {"rt::\\w+. has no member named .(along|cross|dot|join|length|longest_axis|normalize)\\b|"
+     "no member named .(along|cross|dot|join|length|longest_axis|normalize). in .rt::",
+     "This is a function of its own: `join(a, b)`, and not `a.join(b)`."},
     {"has no member named|no member named",
      "This type has no member of this name: its header shows the members that it has."},
     {"of pointer type|is a pointer; did you mean to use",
@@ -259,11 +298,15 @@ const Meaning meanings[]{
      "This value is const, so it cannot be changed here."},
     {"no match for .operator|invalid operands",
      "There is no such operator for these two types. Check the type of each side."},
+    {"no matching function.*unique_ptr",
+     "One of the arguments is a unique_ptr: `*name` gives what it points to."},
     {"too few arguments|too many arguments|no matching (member )?function|no matching constructor",
      "No function of this name takes these arguments: compare their number and types with its "
      "declaration."},
     {"(conversion|convert).*Vec2.* to .*Vec3",
      "This is a Vec2, which has x and y and no z: declare a Vec2."},
+    {"(convert|conversion).* to .*unique_ptr",
+     "A unique_ptr is needed here: `std::make_unique<...>()` makes one."},
     {"cannot convert|could not convert|no viable conversion|cannot initialize|invalid conversion|"
      "invalid initialization of reference|to non-scalar type",
      "The value has a different type from the one that is needed here."},

@@ -66,7 +66,7 @@ int own_judge(const Course& course, const Given& given) {
     if (lines.passed < lines.lines) return part.empty() && core ? app::done : app::could_not;
     if (const auto rung = given.number("--rung"); rung > 0)
         print("Next: ./course own judge " + folder +
-              (rung < 9 ? " --rung " + std::to_string(rung + 1) : "") + '\n');
+              (rung < 9 && rung != 6 ? " --rung " + std::to_string(rung + 1) : "") + '\n');
     return app::done;
 }
 

@@ -117,7 +117,9 @@ void judge_graft(const Course& course, const GraftRequest& request,
     for (const std::string& header : graft.headers)
         if (!std::count(request.headers.begin(), request.headers.end(), header))
             report({false, "#include <rt/" + header + ">", "tracer.cpp does not include it",
-                    "#include of your own header, in place of the old code", ""});
+                    "#include of your own header, or of one that includes it, in place of the old "
+                    "code",
+                    ""});
     if (graft.reads == Graft::Reads::nothing)
         judge({false, "the picture of 00.1", "", "the same outlines of ball, ground and shadow",
                "Leave the eye, the balls and the light where they were."},

@@ -82,7 +82,9 @@ void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line
         const Comparison compared = compare({with(trial.own), ours, true}, time);
         line.actual = what_differs(compared);
         line.looked.pictures = compared;
-        line.suggestion = only_noise_differs(compared) ? about_noise : scene.suggestion;
+        line.suggestion = compared.sizes_differ          ? ""
+                          : only_noise_differs(compared) ? about_noise
+                                                         : scene.suggestion;
         if (!line.actual.empty()) continue;
         line.passed = true;
         line.actual = "the same within the noise, in each of " +
@@ -94,9 +96,8 @@ void look_at_picture(const Trial& trial, const OwnScene& scene, JudgedLine& line
 void judge_pictures(const Trial& trial, const std::string& part,
                     const std::vector<OwnScene>& scenes) {
     for (const OwnScene& scene : scenes)
-        trial.line(
-            {false, part + ": " + scene.name, "", "our picture within the noise", scene.suggestion},
-            [&](JudgedLine& line) { look_at_picture(trial, scene, line); });
+        trial.line({false, part + ": " + scene.name, "", "our picture within the noise", ""},
+                   [&](JudgedLine& line) { look_at_picture(trial, scene, line); });
 }
 
 void judge_seed(const Trial& trial, const OwnScene& scene) {

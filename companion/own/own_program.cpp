@@ -106,9 +106,10 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     fs::remove_all(folder, ignored);
     if (drawn.result.ok()) {
         if (!fs::exists(picture))
-            throw app::Failure((program_.filename() == program_name("tracer") ? "your tracer"
-                                                                              : "the program own") +
-                               std::string{" ended with exit code 0 but wrote no picture"});
+            throw app::Failure(program_.filename() == program_name("tracer")
+                                   ? "your tracer ended with exit code 0 but wrote no picture"
+                                   : "the program own ended with exit code 0 but wrote no picture "
+                                     "to its second file");
         drawn.bytes = read_file(picture);
         drawn.picture = parse_ppm(drawn.bytes);
     }

@@ -402,16 +402,19 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                         "first row of the file the top row? Are the bytes sRGB, not linear? Is the "
                         "sky seen through the scene's camera and random points of each pixel?")});
     add("a camera, and spheres in black",
-        {scene("black balls before the sky", silhouettes,
-               "Is the field of view the vertical one? Do u, v and w make a right-handed basis, "
-               "and does every sample lie somewhere in its pixel?",
-               false),
+        {scene(
+             "black balls before the sky", silhouettes,
+             "Is the field of view the vertical one, in radians, and do you take the tangent of "
+             "half of it? Do u, v and w make a right-handed basis? Does every sample lie somewhere "
+             "in its pixel?",
+             false),
          scene("black balls and a tilted camera", silhouettes,
                "Does the camera stand at `from`, look at `at`, and keep `up` upright?", true)});
     add("matte",
         {scene("one matte ball on the ground", one_matte,
                "Is the new direction cosine-weighted around the normal, on the side that the ray "
-               "came from? Does each bounce multiply the light by the color?"),
+               "came from, and of length 1? Does each bounce multiply the light by the color? Does "
+               "the ray not hit the surface that it leaves?"),
          scene("paths of one bounce", valley,
                "A path that has bounced once and hits something again brings no light: neither the "
                "sky nor a second bounce.",
@@ -421,8 +424,10 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                "times.",
                3)});
     add("the nearest of many",
-        {scene("a dozen matte balls", many_mattes,
-               "Does the nearest hit count, whatever the order of the spheres in the file?"),
+        {scene(
+             "a dozen matte balls", many_mattes,
+             "Does the nearest hit count, whatever the order of the spheres in the file? Has each "
+             "sphere the last material above it?"),
          scene("a file that leaves out most lines", sparse,
                "Do you use the defaults of TASK.md, skip comments, which begin with #, and ignore "
                "empty lines?")});
@@ -433,8 +438,9 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                         0.4, 0.8)});
     add("glass",
         {scene("a glass ball", glass,
-               "Is its material glass, and not matte? Is the ratio of indices inverted on the way "
-               "out? Is the reflectance exact, and does "
+               "Is its material glass, and not matte? On the way out, is the ratio of indices "
+               "inverted, "
+               "and the normal turned toward the ray? Is the reflectance exact, and does "
                "a random number choose between reflection and refraction?",
                false, 1.3, 1.7, 1.0),
          scene("a hollow glass ball", glass,

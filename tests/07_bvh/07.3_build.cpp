@@ -49,7 +49,7 @@ std::vector<Box> boxes_at(const std::vector<Vec3>& middles) {
 int split_in_half(std::span<int> order, const std::vector<Box>& boxes) {
     INFO(
         "Hint, if this crashes: a and b of the lambda are already numbers of spheres, so write "
-        "boxes[a] and not boxes[order[a]]; and compare with <, never with <=");
+        "boxes[a] and not boxes[order[a]]; and compare with <, never with <= or a difference");
     return rt::split_in_half(order, boxes);
 }
 

@@ -34,8 +34,9 @@ struct ByHand {
         rt::Search search{spheres, order, ray, within};
         {
             INFO(
-                "Hint, if this crashes: a leaf has no children, so return after its spheres; they "
-                "are at the indices first ... first + count - 1 of search.order");
+                "Hint, if this crashes: a leaf has no children, so return after its spheres, at "
+                "the indices first ... first + count - 1 of search.order; and a ray may miss a "
+                "sphere");
             rt::find_nearest(root, search);
         }
         INFO(

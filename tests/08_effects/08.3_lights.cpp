@@ -225,8 +225,10 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
         1 / (2 * rt::pi * static_cast<Real>(exact_height(Real(0.7), distance).high));
     const Real density = rt::light_density(usual, from);
     {
-        INFO("expected " << text(expected) << ", but yours gives " << text(density)
-                         << ".\nHint: the solid angle of a cap is 2 pi times its height");
+        INFO("expected "
+             << text(expected) << ", but yours gives " << text(density)
+             << ".\nHint: the solid angle of a cap is 2 pi times its height, and the density "
+                "is 1 / (2 * pi * height), with the parentheses");
         check_near(density, expected, rt::rounding_bound(30) * expected);
     }
     const Real inside = rt::light_density(usual, usual.center + Vec3{Real(0.2), 0, Real(0.1)});

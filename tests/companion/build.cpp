@@ -148,6 +148,11 @@ TEST_CASE("the missing include of a name that is not known is told", "[build]") 
         INFO(name);
         CHECK(told("'" + std::string{name} + "' was not declared in this scope").empty());
     }
+    // The standard library's is meant, and not that of <rt/pack.hpp>.
+    const fs::path later = "solutions/07_bvh/rt/hit_box.hpp";
+    CHECK(first_error(course, later.string() + ":3:5: error: 'max' was not declared\n    3 | it\n",
+                      {later})
+              .find("add #include") == std::string::npos);
     CHECK(told("'vector' is not a member of 'std'",
                "a.hpp:1:1: note: 'std::vector' is defined in header '<vector>'; this is\n") ==
           "add #include <vector>, which declares std::vector");

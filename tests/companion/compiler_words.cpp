@@ -121,6 +121,39 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("conversion from 'double' to 'rt::Real' {aka 'float'} changes the value of '6.7e-1'",
                "`Real(x)`"));
     CHECK(says("no return statement in function returning non-void [-Wreturn-type]", "return"));
+    CHECK(says("'class std::unique_ptr<rt::TreeNode>' has no member named 'box'", "unique_ptr: "));
+    CHECK(says("no member named 'box' in 'std::unique_ptr<rt::TreeNode>'", "unique_ptr: "));
+    CHECK(says("'haze' is not a constant expression", "when the code is compiled"));
+    CHECK(says("'struct rt::Box' has no member named 'join'", "`join(a, b)`"));
+    CHECK(says("no member named 'join' in 'rt::Box'", "`join(a, b)`"));
+    CHECK(says("base operand of '->' has non-pointer type 'rt::TreeNode'", "`name.member`"));
+    CHECK(says("member reference type 'TreeNode' is not a pointer; did you mean to use '.'?",
+               "`name.member`"));
+    CHECK(
+        says("request for member 'box' in 'node->', which is of non-class type "
+             "'std::unique_ptr<rt::TreeNode>()'",
+             "parentheses missing"));
+    CHECK(
+        says("cannot convert 'rt::TreeNode::is_leaf' from type 'bool (rt::TreeNode::)() const' to "
+             "type 'bool'",
+             "parentheses"));
+    CHECK(says("invalid type argument of unary '*' (have 'rt::Real' {aka 'double'})",
+               "without the `*`"));
+    CHECK(says("indirection requires pointer operand ('rt::Real' (aka 'double') invalid)",
+               "without the `*`"));
+    CHECK(
+        says("no matching function for call to 'find_nearest(const "
+             "std::unique_ptr<rt::TreeNode>&, rt::SearchOf<rt::SceneSphere>&)'",
+             "`*name`"));
+    CHECK(says("could not convert 'node' from 'rt::TreeNode' to 'std::unique_ptr<rt::TreeNode>'",
+               "make_unique"));
+    CHECK(
+        says("comparison of integer expressions of different signedness: 'int' and 'long unsigned "
+             "int' [-Wsign-compare]",
+             "unsigned"));
+    CHECK(says("comparison of integers of different signs: 'int' and 'size_type'", "unsigned"));
+    CHECK(says("moving a local object in a return statement prevents copy elision", "return name"));
+    CHECK(says("no match for call to '(rt::f()::<lambda(int)>) (int&, int&)'", "two elements"));
     CHECK(plain_words("a.hpp:1:2: error: a thing that nobody has seen") == "");
 }
 
@@ -212,6 +245,22 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
             "same type");
     says_of("return b;", "expected ',' or ';' before 'return'", "comment");
     says_of("Real y = 1 / x if b else x;", "expected ',' or ';' before 'if'", "condition ? a : b");
+    says_of("best = min(best, cost);", "'min' was not declared in this scope", "std:: in front");
+    says_of("Real angle = 2 * math.pi;", "'math' was not declared in this scope", "`pi`");
+    says_of("v = basis.to_world((x, y, 1));", "cannot convert 'int' to 'rt::Vec3'",
+            "`f({x, y, z})`");
+    says_of("build_node(order[:k], first);", "expected primary-expression before ':' token",
+            "no slices");
+    says_of("std::sort(order, [&](int a, int b) {", "no matching function for call to 'sort(...)'",
+            "list.begin()");
+    says_of("*__first = _GLIBCXX_MOVE(__val);",
+            "passing 'const rt::Box' as 'this' argument discards qualifiers", "const");
+    says_of("if (__b < __a)",
+            "no match for 'operator<' (operand types are 'const rt::Vec3' and 'const rt::Vec3')",
+            "each component");
+    says_of("if (std::get_if<Metal>(material)) return;",
+            "no matching function for call to 'get_if<rt::Metal>(...)'", "address");
+    says_of("if (k = 0) {", "assignment of read-only variable 'k'", "write `==`");
     says_of("elif (x < 0) return 2;", "'elif' was not declared in this scope", "else if");
     says_of("if x > 0:", "expected '(' before 'x'", "braces");
     says_of("if (x > 0):", "expected primary-expression before ':' token", "braces");
