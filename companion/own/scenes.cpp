@@ -439,9 +439,8 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
     add("glass",
         {scene("a glass ball", glass,
                "Is its material glass, and not matte? On the way out, is the ratio of indices "
-               "inverted, "
-               "and the normal turned toward the ray? Is the reflectance exact, and does "
-               "a random number choose between reflection and refraction?",
+               "inverted, and the normal turned toward the ray? Is the reflectance exact, and "
+               "does a random number choose between reflection and refraction?",
                false, 1.3, 1.7, 1.0),
          scene("a hollow glass ball", glass,
                "The inner ball is air in glass: its index is that of air divided by that of glass.",
