@@ -48,13 +48,18 @@ const Habit habits[]{
      "Is an operator such as `*` missing between two names, or a semicolon?"},
     {"no match for .operator\\[\\]|does not provide a subscript operator", "",
      "A Vec3 is not a list: its components are a.x, a.y and a.z."},
-    {"discards qualifiers|no viable overloaded .=", "\\bif \\([^=!<>]+ = [^=]",
-     "`=` assigns to the left side; write `==` to compare."},
+    {"discards qualifiers|no viable overloaded .=|read-only|const-qualified|cannot assign",
+     "\\bif \\([^=!<>]+ = [^=]", "`=` assigns to the left side; write `==` to compare."},
     {"expected .\\(.|expected", "^[^?/]*\\b(if|while|for|else)\\b[^;?]*:\\s*$",
      "Write the condition in parentheses and the statements in braces: `if (x > 0) { ... }`."},
     {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
      "This is Python. C++ has true and false, `{}` for no value, values.size() for a length, and "
      "std::cout << x to print."},
+    {"expected|undeclared|was not declared", "\\b(if|while) \\(?[\\w.]+ is (not )?\\w",
+     "C++ has no `is`: `if (!name)` asks whether a std::optional is empty, and `==` compares "
+     "values."},
+    {"'math' was not declared|undeclared identifier 'math'", "",
+     "In C++, `math.sqrt(x)` is `std::sqrt(x)`, from `#include <cmath>`."},
     {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
      "`^` does not compute powers in C++: multiply, x * x, or call std::pow(x, n)."},
     // Several characters in single quotes. Before them may come literals of one character, but no
@@ -121,6 +126,23 @@ const Meaning meanings[]{
      "One side is itself a comparison, so it is true or false, not a number. C++ cannot chain "
      "comparisons: write "
      "`a < b && b < c`."},
+    {"comparison in operand of .[&|]|[&|].? has lower precedence than",
+     "`&` and `|` combine bits, and always compute both sides. Write `&&` for *and*, `||` for "
+     "*or*."},
+    {"\\(\\(void\\)0,",
+     "A comma does not make a pair in C++, and only the last value counts. Write braces: `return "
+     "{a, b};`."},
+    {"empty body",
+     "A semicolon after `if (...)` or `for (...)` ends the statement there, and what follows is "
+     "always executed. Leave the semicolon out."},
+    {"disambiguated as a function declaration",
+     "Empty parentheses declare a function here. To make a variable, write braces with its "
+     "values: `JoinGuard guard{threads};`."},
+    {"wrong number of template arguments|too (few|many) template arguments",
+     "This name takes a different number of types in `<...>`: compare with its declaration."},
+    {"std::thread arguments must be invocable",
+     "A thread calls its function without arguments, so the lambda has no parameters: "
+     "`[&work, worker] { work(worker); }`."},
     {"comparison in operand of .==",
      "`==` compares; to set a value, write `=`. Three values are compared by "
      "`a == b && b == c`."},
@@ -130,7 +152,8 @@ const Meaning meanings[]{
     {"infinite recursion|all paths through this function will call itself",
      "The function calls itself in every case, so it never ends. There must be a case in which it "
      "returns without calling itself."},
-    {"non-static member function must|invalid use of (non-static )?member function",
+    {"non-static member function must|invalid use of (non-static )?member function|"
+     "invalid operands of types .<unresolved overloaded",
      "A function is called with parentheses, even without arguments: `image.width()`."},
     {"forbids declaration of .* with no type|requires a type specifier",
      "The type of the result stands before the function's name, as in `Color gradient(...)`."},
@@ -145,7 +168,8 @@ const Meaning meanings[]{
     {"unsigned expression.*>= 0.* is always true",
      "An unsigned number, such as a std::size_t, is never negative, so this never becomes false."},
     {"is not captured|cannot be implicitly captured",
-     "Begin the lambda with `[&]`, so that it may use the variables around it."},
+     "A lambda may use only the variables that its brackets list: `[x]` gives it a copy of x, "
+     "`[&x]` x itself, and `[&]` every variable itself."},
     {"ambiguous",
      "More than one function fits. If one of them is yours and another is the course's, delete "
      "yours."},
@@ -208,8 +232,8 @@ const Meaning meanings[]{
      "A mask and a pack of numbers cannot be combined. `&` and `|` combine two masks, and "
      "`mask ? a : b` chooses between two packs."},
     {"result type must be constructible|construct_at",
-     "This would copy a value that cannot be copied, such as a unique_ptr: start with an empty "
-     "vector, and call `push_back(std::move(value))`."},
+     "This would copy a value that cannot be copied, such as a unique_ptr or a std::thread: start "
+     "with an empty vector, and call `push_back(std::move(value))`."},
     {"push_back.*unique_ptr",
      "The vector holds plain pointers: `.get()` gives the plain pointer that a unique_ptr holds."},
     {"brace-enclosed.*optional|no matching constructor for initialization of .*optional",
@@ -227,6 +251,8 @@ const Meaning meanings[]{
      "`std::max({a, b, c})`."},
     {"explicit qualification in declaration|extra qualification",
      "Within `namespace rt { ... }`, the name is written without rt::."},
+    {"no match for call to .*(std::function|lambda)",
+     "This function takes other arguments: compare their number and types with its declaration."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",
      "The name before the ( is a value, not a function. Is an operator missing, or does a variable "
      "have the same name as the function?"},
@@ -255,7 +281,7 @@ const Meaning meanings[]{
      "This value is const, so it cannot be changed here. If you only read it, take it as "
      "`const Color&`, with its own type."},
     {"read-only|const-qualified|cannot assign to variable",
-     "This value is const, so it cannot be changed here."},
+     "This value is const, so it cannot be changed here: change a copy of it."},
     {"no match for .operator|invalid operands",
      "There is no such operator for these two types. Check the type of each side."},
     {"too few arguments|too many arguments|no matching (member )?function|no matching constructor",

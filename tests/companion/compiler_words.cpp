@@ -73,6 +73,39 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(
         says("result of comparison of unsigned expression >= 0 is always true", "never negative"));
     CHECK(says("'camera' is not captured", "`[&]`"));
+    CHECK(says("'worker' is not captured", "a copy of x"));
+    CHECK(
+        says("invalid operands of types '<unresolved overloaded function type>' and 'const "
+             "rt::Real' {aka 'const double'} to binary 'operator<'",
+             "`image.width()`"));
+    CHECK(says("suggest braces around empty body in an 'if' statement [-Wempty-body]",
+               "Leave the semicolon out"));
+    CHECK(says("if statement has empty body [-Wempty-body]", "Leave the semicolon out"));
+    CHECK(says("suggest parentheses around comparison in operand of '&' [-Wparentheses]", "`&&`"));
+    CHECK(says("& has lower precedence than >; > will be evaluated first [-Wparentheses]", "`&&`"));
+    CHECK(
+        says("no match for call to '(const rt::TileWork {aka const std::function<void(const "
+             "rt::Tile&, int)>}) (<brace-enclosed initializer list>)'",
+             "takes other arguments"));
+    CHECK(says("wrong number of template arguments (3, should be 1)", "a different number"));
+    CHECK(
+        says("static assertion failed: std::thread arguments must be invocable after conversion "
+             "to rvalues",
+             "without arguments"));
+    CHECK(says("empty parentheses were disambiguated as a function declaration [-Wvexing-parse]",
+               "write braces"));
+    CHECK(
+        says("could not convert '((void)0, ((height * (worker + 1)) / workers))' from 'int' to "
+             "'rt::Rows'",
+             "`return {a, b};`"));
+    CHECK(says("expected ')' before 'is'\n   29 |     if (beyond is None) return 1;",
+               "`if (!name)`"));
+    CHECK(says("'math' was not declared in this scope\n   22 |     return math.sqrt(x);",
+               "`std::sqrt(x)`"));
+    CHECK(
+        says("assignment of member 'rt::Hit::front' in read-only object\n"
+             "   34 |     if (hit.front = true) eta = 1 / index;",
+             "write `==`"));
     CHECK(says("variable 'camera' cannot be implicitly captured in a lambda", "`[&]`"));
     CHECK(says("ambiguous overload for 'operator-' (operand types are 'rt::Vec3' and 'rt::Vec3')",
                "delete yours"));
