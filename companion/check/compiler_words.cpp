@@ -157,7 +157,8 @@ const Meaning meanings[]{
      "A function is called with parentheses, even without arguments: `image.width()`."},
     {"forbids declaration of .* with no type|requires a type specifier",
      "The type of the result stands before the function's name, as in `Color gradient(...)`."},
-    {"no arguments to .(max|min). that depend|undeclared identifier .(max|min)\\b",
+    {"no arguments to .(max|min). that depend|undeclared identifier .(max|min)\\b|"
+     ".(max|min). was not declared",
      "Write std:: in front: `std::max(a, b)`, or `std::max({a, b, c})` for three values."},
     {"no arguments to .* that depend on a template parameter",
      "No function of this name is known here. Declare it first, or #include its header; a function "

@@ -72,6 +72,7 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("comparison of unsigned expression in '>= 0' is always true", "never negative"));
     CHECK(
         says("result of comparison of unsigned expression >= 0 is always true", "never negative"));
+    CHECK(says("'min' was not declared in this scope", "`std::max(a, b)`"));
     CHECK(says("'camera' is not captured", "`[&]`"));
     CHECK(says("'worker' is not captured", "a copy of x"));
     CHECK(
