@@ -270,6 +270,11 @@ const Meaning meanings[]{
      "does it need std:: or an #include?"},
     {"has no member named|no member named",
      "This type has no member of this name: its header shows the members that it has."},
+    {"has non-pointer type|is not a pointer; did you mean to use",
+     "This is not a pointer: write `name.member`, with a dot."},
+    {"request for member .* non-class type|member reference base type .* is not a structure",
+     "The name before the dot is a plain number, which has no members. Has it the right type, such "
+     "as `std::atomic<int>`?"},
     {"of pointer type|is a pointer; did you mean to use",
      "This is a pointer: write `name->member`, or `(*name).member`."},
     {"use of deleted function|call to deleted|implicitly-deleted",

@@ -73,6 +73,10 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(
         says("result of comparison of unsigned expression >= 0 is always true", "never negative"));
     CHECK(says("'min' was not declared in this scope", "`std::max(a, b)`"));
+    CHECK(says("base operand of '->' has non-pointer type 'std::atomic<int>'", "with a dot"));
+    CHECK(says("request for member 'fetch_add' in 'next', which is of non-class type 'int'",
+               "a plain number"));
+    CHECK(says("member reference base type 'int' is not a structure or union", "a plain number"));
     CHECK(says("'camera' is not captured", "`[&]`"));
     CHECK(says("'worker' is not captured", "a copy of x"));
     CHECK(
