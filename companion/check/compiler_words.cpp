@@ -132,6 +132,11 @@ const Meaning meanings[]{
     {"\\(\\(void\\)0,",
      "A comma does not make a pair in C++, and only the last value counts. Write braces: `return "
      "{a, b};`."},
+    {"shift count >= width",
+     "The number has too few bits for this shift. Make it 64 bits wide before you shift it: "
+     "`static_cast<std::uint64_t>(y)`."},
+    {"around .\\+. inside .<<|.<<. has lower precedence",
+     "`+` comes before `<<`: put the shift in parentheses."},
     {"empty body",
      "A semicolon after `if (...)` or `for (...)` ends the statement there, and what follows is "
      "always executed. Leave the semicolon out."},

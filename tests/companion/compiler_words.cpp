@@ -77,6 +77,11 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("request for member 'fetch_add' in 'next', which is of non-class type 'int'",
                "a plain number"));
     CHECK(says("member reference base type 'int' is not a structure or union", "a plain number"));
+    CHECK(says("left shift count >= width of type [-Wshift-count-overflow]", "64 bits wide"));
+    CHECK(says("shift count >= width of type [-Wshift-count-overflow]", "64 bits wide"));
+    CHECK(says("suggest parentheses around '+' inside '<<' [-Wparentheses]", "in parentheses"));
+    CHECK(says("operator '<<' has lower precedence than '+'; '+' will be evaluated first",
+               "in parentheses"));
     CHECK(says("'camera' is not captured", "`[&]`"));
     CHECK(says("'worker' is not captured", "a copy of x"));
     CHECK(
