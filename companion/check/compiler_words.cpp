@@ -257,6 +257,9 @@ const Meaning meanings[]{
      "`std::max({a, b, c})`."},
     {"explicit qualification in declaration|extra qualification",
      "Within `namespace rt { ... }`, the name is written without rt::."},
+    {"function<.*from .*<lambda|from .*(<lambda|\\(lambda at).*function<",
+     "The parameters of the lambda are not those that this place passes to it: compare them with "
+     "the declaration."},
     {"no match for call to .*(std::function|lambda)",
      "This function takes other arguments: compare their number and types with its declaration."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",

@@ -82,6 +82,15 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("suggest parentheses around '+' inside '<<' [-Wparentheses]", "in parentheses"));
     CHECK(says("operator '<<' has lower precedence than '+'; '+' will be evaluated first",
                "in parentheses"));
+    CHECK(
+        says("invalid initialization of reference of type 'const rt::TileWork&' {aka 'const "
+             "std::function<void(const rt::Tile&, int)>&'} from expression of type "
+             "'main(int, char**)::<lambda(const rt::Tile&)>'",
+             "parameters of the lambda"));
+    CHECK(
+        says("no viable conversion from '(lambda at a.cpp:41:42)' to 'const rt::TileWork' (aka "
+             "'const function<void (const rt::Tile &, int)>')",
+             "parameters of the lambda"));
     CHECK(says("'camera' is not captured", "`[&]`"));
     CHECK(says("'worker' is not captured", "a copy of x"));
     CHECK(
