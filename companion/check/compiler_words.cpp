@@ -59,13 +59,16 @@ const Habit habits[]{
      "std::min and std::max cannot compare these values: call them for each component."},
     {"no matching function", "get_if<\\w+>\\([^&]",
      "std::get_if needs an address, with &: `std::get_if<Metal>(&material)`."},
-    {"discards qualifiers|no viable overloaded .=|read-only|const-qualified",
+    {"discards qualifiers|no viable overloaded .=|read-only|const-qualified|cannot assign",
      "\\bif \\([^=!<>]+ = [^=]", "`=` assigns to the left side; write `==` to compare."},
     {"expected .\\(.|expected", "^[^?/]*\\b(if|while|for|else)\\b[^;?]*:\\s*$",
      "Write the condition in parentheses and the statements in braces: `if (x > 0) { ... }`."},
     {"\\W(None|True|False|self|len|print|def|pass)\\W", "",
      "This is Python. C++ has true and false, `{}` for no value, values.size() for a length, and "
      "std::cout << x to print."},
+    {"expected|undeclared|was not declared", "\\b(if|while) \\(?[\\w.]+ is (not )?\\w",
+     "C++ has no `is`: `if (!name)` asks whether a std::optional is empty, and `==` compares "
+     "values."},
     {"invalid operands", "[\\w)] ?\\^ ?[\\w(]",
      "`^` does not compute powers in C++: multiply, x * x, or call std::pow(x, n)."},
     // Several characters in single quotes. Before them may come literals of one character, but no
@@ -140,6 +143,28 @@ const Meaning meanings[]{
      "One side is itself a comparison, so it is true or false, not a number. C++ cannot chain "
      "comparisons: write "
      "`a < b && b < c`."},
+    {"comparison in operand of .[&|]|[&|].? has lower precedence than",
+     "`&` and `|` combine bits, and always compute both sides. Write `&&` for *and*, `||` for "
+     "*or*."},
+    {"\\(\\(void\\)0,",
+     "A comma does not make a pair in C++, and only the last value counts. Write braces: `return "
+     "{a, b};`."},
+    {"shift count >= width",
+     "The number has too few bits for this shift. Make it 64 bits wide before you shift it: "
+     "`static_cast<std::uint64_t>(y)`."},
+    {"around .\\+. inside .<<|.<<. has lower precedence",
+     "`+` comes before `<<`: put the shift in parentheses."},
+    {"empty body",
+     "A semicolon after `if (...)` or `for (...)` ends the statement there, and what follows is "
+     "always executed. Delete it."},
+    {"disambiguated as a function declaration",
+     "Empty parentheses declare a function here. To make a variable, write braces with its "
+     "values: `JoinGuard guard{threads};`."},
+    {"wrong number of template arguments|too (few|many) template arguments",
+     "This name takes a different number of types in `<...>`: compare with its declaration."},
+    {"std::thread arguments must be invocable",
+     "A thread calls its function without arguments, so the lambda has no parameters: "
+     "`[&work, worker] { work(worker); }`."},
     {"comparison in operand of .==",
      "`==` compares; to set a value, write `=`. Three values are compared by "
      "`a == b && b == c`."},
@@ -150,14 +175,14 @@ const Meaning meanings[]{
      "The function calls itself in every case, so it never ends. There must be a case in which it "
      "returns without calling itself."},
     {"non-static member function must|invalid use of (non-static )?member function|"
-     "from type .*::\\)\\(",
+     "from type .*::\\)\\(|invalid operands of types .<unresolved overloaded",
      "A function is called with parentheses, even without arguments: `image.width()`."},
     {"forbids declaration of .* with no type|requires a type specifier",
      "The type of the result stands before the function's name, as in `Color gradient(...)`."},
     {"no arguments to .* that depend on a template parameter",
      "No function of this name is known here. Declare it first, or #include its header; a function "
      "of the standard library needs std:: in front."},
-    {"clause does not guard|misleading indentation|has empty body|around empty body",
+    {"clause does not guard|misleading indentation",
      "Indentation does not count in C++. A `;` right after the parentheses ends the `if` or the "
      "loop: delete it. Otherwise, put braces around all statements that belong to the `if` or the "
      "loop."},
@@ -170,7 +195,8 @@ const Meaning meanings[]{
      "This value must be known when the code is compiled, and it is not."},
     {"prevents copy elision", "Write `return name;`: a local value is moved without std::move."},
     {"is not captured|cannot be implicitly captured",
-     "Begin the lambda with `[&]`, so that it may use the variables around it."},
+     "A lambda may use only the variables that its brackets list: `[x]` gives it a copy of x, "
+     "`[&x]` x itself, and `[&]` every variable itself."},
     {"ambiguous",
      "More than one function fits. If one of them is yours and another is the course's, delete "
      "yours."},
@@ -210,7 +236,8 @@ const Meaning meanings[]{
     {"operand of .->. has non-pointer type|member reference type .* is not a pointer",
      "This is not a pointer: write `name.member`."},
     {"of non-class type|is not a structure or union",
-     "This value has no members: is it a number, or are parentheses missing where it is made?"},
+     "The value before the dot has no members: is it a plain number that should have another type, "
+     "such as `std::atomic<int>`, or are parentheses missing where it is made?"},
     {"unary .\\*|indirection requires pointer",
      "Only a pointer or a std::optional has a value behind it: without the `*`, this is the "
      "value."},
@@ -242,8 +269,8 @@ const Meaning meanings[]{
      "A mask and a pack of numbers cannot be combined. `&` and `|` combine two masks, and "
      "`mask ? a : b` chooses between two packs."},
     {"result type must be constructible|construct_at",
-     "This would copy a value that cannot be copied, such as a unique_ptr: start with an empty "
-     "vector, and call `push_back(std::move(value))`."},
+     "This would copy a value that cannot be copied, such as a unique_ptr or a std::thread: start "
+     "with an empty vector, and call `push_back(std::move(value))`."},
     {"push_back.*unique_ptr",
      "The vector holds plain pointers: `.get()` gives the plain pointer that a unique_ptr holds."},
     {"brace-enclosed.*optional|no matching constructor for initialization of .*optional",
@@ -264,6 +291,11 @@ const Meaning meanings[]{
     {"no match for call to .*<lambda|call to object of type .\\(lambda",
      "The lambda is called with other arguments than it takes. For std::sort, it takes two "
      "elements, and returns whether the first comes before the second."},
+    {"function<.*from .*<lambda|from .*(<lambda|\\(lambda at).*function<",
+     "The parameters of the lambda are not those that this place passes to it: compare them with "
+     "the declaration."},
+    {"no match for call to .*std::function",
+     "This function takes other arguments: compare their number and types with its declaration."},
     {"no match for call to|does not provide a call operator|cannot be used as a function",
      "The name before the ( is a value, not a function. Is an operator missing, or does a variable "
      "have the same name as the function?"},
@@ -295,7 +327,7 @@ const Meaning meanings[]{
      "This value is const, so it cannot be changed here. If you only read it, take it as "
      "`const Color&`, with its own type."},
     {"read-only|const-qualified|cannot assign to variable",
-     "This value is const, so it cannot be changed here."},
+     "This value is const, so it cannot be changed here: change a copy of it."},
     {"no match for .operator|invalid operands",
      "There is no such operator for these two types. Check the type of each side."},
     {"no matching function.*unique_ptr",

@@ -431,11 +431,14 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
          scene("a file that leaves out most lines", sparse,
                "Do you use the defaults of TASK.md, skip comments, which begin with #, and ignore "
                "empty lines?")});
-    add("metal", {scene("a mirror", metals, "Is the direction d - 2 (d . n) n?", 0.0, 0.0),
-                  scene("a fuzzy metal ball", metals,
-                        "Is a direction below the surface mirrored back up, so that no light is "
-                        "lost? Is the random direction on the unit sphere, not inside it?",
-                        0.4, 0.8)});
+    add("metal",
+        {scene("a mirror", metals,
+               "Is its material metal, and not matte? Is the direction d - 2 (d . n) n?", 0.0, 0.0),
+         scene("a fuzzy metal ball", metals,
+               "Is the fuzz that of the scene? Is a direction below the surface mirrored "
+               "back up, so that no light is lost? Is the random direction on the unit sphere, not "
+               "inside it?",
+               0.4, 0.8)});
     add("glass",
         {scene("a glass ball", glass,
                "Is its material glass, and not matte? On the way out, is the ratio of indices "

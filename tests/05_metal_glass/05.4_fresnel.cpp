@@ -107,7 +107,13 @@ TEST_CASE("05.4 the cosine of the refraction angle follows from the law of refra
         check_error(*computed, surface.beyond(), allowed(surface), eta, cosine,
                     "the cosine of the refraction angle is sqrt(1 - eta^2 (1 - cosine^2))");
     });
-    CHECK(!rt::refracted_cosine(real(0.5), real(1.5)).has_value());
+    const auto beyond = rt::refracted_cosine(real(0.5), real(1.5));
+    INFO(
+        "refracted_cosine(0.5, 1.5): expected none, actual "
+        << (beyond ? text(*beyond) : "none")
+        << "\nHint: below the root is 1 - 2.25 * 0.75, which is below 0: return {} before you take "
+           "the root");
+    CHECK(!beyond.has_value());
 }
 
 TEST_CASE("05.4 for head-on light both formulas give ((1 - eta) / (1 + eta))^2", "[05.4]") {
@@ -137,7 +143,9 @@ TEST_CASE("05.4 for head-on light both formulas give ((1 - eta) / (1 + eta))^2",
 TEST_CASE("05.4 Fresnel reflectance is the mean over both polarizations", "[05.4]") {
     for_each_interface([](Real eta, Real cosine, const Interface& surface) {
         const Real computed = rt::fresnel_reflectance(cosine, eta);
-        const char* hint = "square r_s and r_p, and then take the mean";
+        const char* hint =
+            "the mean of r_s squared and r_p squared: r_s = (eta c - c') / (eta c + c'), "
+            "r_p = (c - eta c') / (c + eta c'), where c' is refracted_cosine(c, eta)";
         const auto is_near = [&](Exact x) {
             return std::abs((x - exact(computed)).high) <= allowed(surface);
         };

@@ -256,7 +256,9 @@ TEST_CASE("05.6 each bounce draws its own random numbers", "[05.6]") {
          << by_numbers << " of 1000 results, but the second of two bounces, one right after the "
          << "other, is never different from the first\nHint: draw from `random` itself, not from a "
          << "copy of it: a function of your own must take it as Random&");
-    if (by_numbers > 50) CHECK(by_bounces > 0);  // otherwise it may be chance
+    // A design that draws no random numbers is sound, and few results that differ may be chance.
+    const int least = by_numbers > 50 ? 1 : 0;
+    CHECK(by_bounces >= least);
 }
 
 TEST_CASE("05.6 a material of a light color returns visible light", "[05.6]") {

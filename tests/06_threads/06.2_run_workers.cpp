@@ -129,6 +129,8 @@ TEST_CASE("06.2 each worker is called once with its own number", "[06.2]") {
                     "reads it");
                 REQUIRE(calls[static_cast<std::size_t>(worker)] == 1);
             }
+            INFO("a call got the number " << unknown.load() << ", but the last of " << workers
+                                          << " workers has the number " << workers - 1);
             REQUIRE(calls.back() == 0);
         }
 }

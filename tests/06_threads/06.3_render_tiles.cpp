@@ -24,7 +24,11 @@ TEST_CASE("06.3 the tiles cover the picture", "[06.3]") {
           Case{{960, 540, 16}, 2040}, Case{{10, 7, 1}, 70}, Case{{16, 16, 16}, 1}}) {
         INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size);
         {
-            INFO("Hint: a tile that is only partly filled is a tile, too: round up");
+            INFO((tile_count(grid) < count
+                      ? "Hint: a tile that is only partly filled is a tile, too: round up"
+                      : "Hint: (n + size - 1) / size is the number of tiles along one side: where "
+                        "no pixels are left over, there is no further tile. Multiply the numbers "
+                        "of the two sides"));
             REQUIRE(tile_count(grid) == count);
         }
         PixelCounts counts{grid, 1};
@@ -79,8 +83,12 @@ TEST_CASE("06.3 take_tile gives every tile once and none after the last", "[06.3
     };
     for (int i = 0; i < 2000; ++i) {
         const auto tile = take_tile(next, 5), other = take_tile(next_of_other, 900);
-        INFO("call " << i + 1
-                     << " for 5 tiles.\nHint: keep nothing between calls except in the counter");
+        INFO("call " << i + 1 << " for 5 tiles.\nHint: "
+                     << (i < 5
+                             ? "return what fetch_add(1) returned, the counter's value before the "
+                               "addition, if it is less than count"
+                             : "when all tiles are taken, return {}")
+                     << "; keep nothing between calls except in the counter");
         REQUIRE(words(tile) == (i < 5 ? std::to_string(i) : "none"));
         INFO("call " << i + 1 << " for the 900 tiles of another picture");
         REQUIRE(words(other) == (i < 900 ? std::to_string(i) : "none"));

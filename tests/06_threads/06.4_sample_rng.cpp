@@ -237,7 +237,9 @@ TEST_CASE("06.4 the average contains each sample once with its own generator", "
             REQUIRE(samples == expected_samples);
         }
         for (std::size_t i = 0; i < bits.size(); ++i) {
-            INFO("sample " << i << " does not get its own generator");
+            INFO("sample " << i
+                           << " does not get its own generator\nHint: make a new one for each "
+                              "sample: sample_rng(seed, x, y, sample)");
             REQUIRE(bits[i] == first_bits({key.seed, key.x, key.y, static_cast<int>(i)}));
         }
         for (Real Color::*channel : {&Color::r, &Color::g, &Color::b}) {

@@ -68,12 +68,62 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
              "declaration of 'max' must be available",
              "`std::max(a, b)`"));
     CHECK(says("this 'if' clause does not guard... [-Werror=misleading-indentation]", "braces"));
-    CHECK(says("for loop has empty body [-Wempty-body]", "delete it"));
     CHECK(says("misleading indentation; statement is not part of the previous 'if'", "braces"));
     CHECK(says("comparison of unsigned expression in '>= 0' is always true", "never negative"));
     CHECK(
         says("result of comparison of unsigned expression >= 0 is always true", "never negative"));
+    CHECK(says("'min' was not declared in this scope", "`std::max(a, b)`"));
+    CHECK(says("base operand of '->' has non-pointer type 'std::atomic<int>'",
+               "write `name.member`"));
+    CHECK(says("request for member 'fetch_add' in 'next', which is of non-class type 'int'",
+               "a plain number"));
+    CHECK(says("member reference base type 'int' is not a structure or union", "a plain number"));
+    CHECK(says("left shift count >= width of type [-Wshift-count-overflow]", "64 bits wide"));
+    CHECK(says("shift count >= width of type [-Wshift-count-overflow]", "64 bits wide"));
+    CHECK(says("suggest parentheses around '+' inside '<<' [-Wparentheses]", "in parentheses"));
+    CHECK(says("operator '<<' has lower precedence than '+'; '+' will be evaluated first",
+               "in parentheses"));
+    CHECK(
+        says("invalid initialization of reference of type 'const rt::TileWork&' {aka 'const "
+             "std::function<void(const rt::Tile&, int)>&'} from expression of type "
+             "'main(int, char**)::<lambda(const rt::Tile&)>'",
+             "parameters of the lambda"));
+    CHECK(
+        says("no viable conversion from '(lambda at a.cpp:41:42)' to 'const rt::TileWork' (aka "
+             "'const function<void (const rt::Tile &, int)>')",
+             "parameters of the lambda"));
     CHECK(says("'camera' is not captured", "`[&]`"));
+    CHECK(says("'worker' is not captured", "a copy of x"));
+    CHECK(
+        says("invalid operands of types '<unresolved overloaded function type>' and 'const "
+             "rt::Real' {aka 'const double'} to binary 'operator<'",
+             "`image.width()`"));
+    CHECK(
+        says("suggest braces around empty body in an 'if' statement [-Wempty-body]", "Delete it"));
+    CHECK(says("if statement has empty body [-Wempty-body]", "Delete it"));
+    CHECK(says("suggest parentheses around comparison in operand of '&' [-Wparentheses]", "`&&`"));
+    CHECK(says("& has lower precedence than >; > will be evaluated first [-Wparentheses]", "`&&`"));
+    CHECK(
+        says("no match for call to '(const rt::TileWork {aka const std::function<void(const "
+             "rt::Tile&, int)>}) (<brace-enclosed initializer list>)'",
+             "takes other arguments"));
+    CHECK(says("wrong number of template arguments (3, should be 1)", "a different number"));
+    CHECK(
+        says("static assertion failed: std::thread arguments must be invocable after conversion "
+             "to rvalues",
+             "without arguments"));
+    CHECK(says("empty parentheses were disambiguated as a function declaration [-Wvexing-parse]",
+               "write braces"));
+    CHECK(
+        says("could not convert '((void)0, ((height * (worker + 1)) / workers))' from 'int' to "
+             "'rt::Rows'",
+             "`return {a, b};`"));
+    CHECK(says("expected ')' before 'is'\n   29 |     if (beyond is None) return 1;",
+               "`if (!name)`"));
+    CHECK(
+        says("assignment of member 'rt::Hit::front' in read-only object\n"
+             "   34 |     if (hit.front = true) eta = 1 / index;",
+             "write `==`"));
     CHECK(says("variable 'camera' cannot be implicitly captured in a lambda", "`[&]`"));
     CHECK(says("ambiguous overload for 'operator-' (operand types are 'rt::Vec3' and 'rt::Vec3')",
                "delete yours"));
