@@ -56,9 +56,9 @@ void check(const Spheres& spheres, const Ray& ray, Interval within, const Neares
                 checkpoint::text(spheres[i].shape.center) + ", radius " +
                 checkpoint::text(spheres[i].shape.radius);
     if (spheres.size() > 6) list += "\n  and more";
-    INFO(spheres.size() << " spheres" << list << "\nray from " << checkpoint::text(ray.origin)
-                        << " along " << checkpoint::text(ray.direction) << ", t from "
-                        << checkpoint::text(within.min) << " to " << checkpoint::text(within.max));
+    INFO("spheres: " << spheres.size() << list << "\nray from " << checkpoint::text(ray.origin)
+                     << " along " << checkpoint::text(ray.direction) << ", t from "
+                     << checkpoint::text(within.min) << " to " << checkpoint::text(within.max));
     INFO("expected " << text(expected) << ", actual " << text(computed)
                      << ".\nHint: " << suggestion(expected, computed, spheres.size()));
     REQUIRE(text(computed) == text(expected));

@@ -139,10 +139,10 @@ TEST_CASE("06.2 the workers run at the same time", "[06.2]") {
     for (const int workers : {1, 2, 4, 64}) {
         Roll roll{workers};
         run_workers(workers, [&](int worker) { roll.sign(worker); });
-        INFO(
-            workers
-            << " workers.\nHint: start a thread for each worker, also for the first one. Start all "
-            << "threads before you wait for them (join)");
+        INFO("workers: "
+             << workers
+             << "\nHint: start a thread for each worker, also for the first one. Start all "
+             << "threads before you wait for them (join)");
         REQUIRE(roll.complaint() == "");
     }
 }
@@ -175,7 +175,7 @@ TEST_CASE("06.2 render_slices renders every pixel once", "[06.2]") {
         const TileGrid grid{5, 70};
         PixelCounts counts{grid, workers};
         render_slices(grid, workers, std::ref(counts));
-        INFO("5x70 pixels, " << workers << " workers");
+        INFO("5x70 pixels, workers: " << workers);
         CHECK_RENDERED_ONCE(counts);
         CHECK(counts.tiles == workers);
     }
@@ -207,7 +207,7 @@ TEST_CASE("06.2 the slices are rendered at the same time", "[06.2]") {
     for (const int workers : {1, 4}) {
         Roll roll{workers};
         render_slices({3, 10}, workers, [&](const Tile&, int worker) { roll.sign(worker); });
-        INFO(workers << " workers.\nHint: render_slices calls run_workers");
+        INFO("workers: " << workers << "\nHint: render_slices calls run_workers");
         CHECK(roll.complaint() == "");
     }
 }
@@ -386,7 +386,7 @@ TEST_CASE("06.2 pictures with fewer rows than workers or no rows are rendered", 
         for (const int workers : {1, 2, 3, 7, 64}) {
             PixelCounts counts{grid, workers};
             render_slices(grid, workers, std::ref(counts));
-            INFO(grid.width << 'x' << grid.height << " pixels, " << workers << " workers");
+            INFO(grid.width << 'x' << grid.height << " pixels, workers: " << workers);
             CHECK_RENDERED_ONCE(counts);
         }
     MeetingPlace place;

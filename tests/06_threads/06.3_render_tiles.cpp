@@ -101,8 +101,8 @@ TEST_CASE("06.3 render_tiles renders every pixel once", "[06.3]") {
     const auto check = [](const TileGrid& grid, int workers, int tiles) {
         PixelCounts counts{grid, workers};
         rt::render_tiles(grid, workers, std::ref(counts));
-        INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size << ", "
-                        << workers << " workers");
+        INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size
+                        << ", workers: " << workers);
         CHECK_RENDERED_ONCE(counts);
         CHECK(counts.tiles == tiles);
     };
@@ -151,10 +151,10 @@ TEST_CASE("06.3 all workers are at work at the same time", "[06.3]") {
         Roll roll{workers};  // each waits in its tile for all the others
         rt::render_tiles({workers * 3, 3, 3}, workers,
                          [&](const Tile&, int worker) { roll.sign(worker); });
-        INFO(
-            workers
-            << " workers, and as many tiles.\nHint: call run_workers, and let each worker pass its "
-            << "own number to work");
+        INFO("workers: "
+             << workers
+             << ", and as many tiles.\nHint: call run_workers, and let each worker pass its "
+             << "own number to work");
         REQUIRE(roll.complaint() == "");
     }
     MeetingPlace place;
@@ -223,7 +223,7 @@ TEST_CASE("06.3 pictures with few pixels or none are rendered", "[06.3][hard]") 
             PixelCounts counts{grid, workers};
             rt::render_tiles(grid, workers, std::ref(counts));
             INFO(grid.width << 'x' << grid.height << " pixels in tiles of " << grid.tile_size
-                            << ", " << workers << " workers");
+                            << ", workers: " << workers);
             CHECK_RENDERED_ONCE(counts);
         }
 }
@@ -283,7 +283,7 @@ TEST_CASE("06.3 an exception in a tile reaches the caller", "[06.3][hard]") {
         } catch (...) {
             actual = "another exception";
         }
-        INFO(workers << " workers; tile (4, 4) throws 44");
+        INFO("workers: " << workers << "; tile (4, 4) throws 44");
         CHECK(actual == "44");
         INFO("the number of calls that had not ended by then");
         CHECK(running == 0);

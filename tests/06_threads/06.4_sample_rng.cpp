@@ -285,7 +285,7 @@ TEST_CASE("06.4 any number of workers draws the same picture", "[06.4][hard]") {
         for (const int workers : {1, 2, 3, 7, 64}) {
             const Image image = rt::render_image(strategy, grid, workers,
                                                  [&](int x, int y, int) { return scene(x, y); });
-            INFO(name << " with " << workers << " workers, bit for bit");
+            INFO(name << ", bit for bit, workers: " << workers);
             CHECK(difference(image, alone) == "");
         }
 }

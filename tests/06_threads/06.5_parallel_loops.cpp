@@ -98,7 +98,7 @@ TEST_CASE("06.5 each job is called once", "[06.5]") {
             for (const int workers : {1, 2, 3, 8}) {
                 Done done{jobs, workers};
                 spread(jobs, workers, std::ref(done));
-                INFO(name << ", " << workers << " workers");
+                INFO(name << ", workers: " << workers);
                 // The numbers that OpenMP gives its threads are tested below.
                 CHECK((spread == loops[0].second ? done.wrong_jobs() : done.wrong()) == "");
             }
