@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <app/files.hpp>
-#include <app/platform.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/model/source.hpp>
@@ -8,7 +7,6 @@
 #include <companion/system/parallel.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
 namespace companion {
@@ -116,9 +114,7 @@ Signatures signatures_of(const Course& course, const Exercise& exercise) {
         if (!known.is_discarded() && known.value("version", "") == version)
             return known.at("mistakes").get<Signatures>();
     }
-    const bool on_terminal = app::is_terminal(stdout);
-    if (on_terminal)
-        print(dim("  comparing with known mistakes; the first time takes a while ..."));
+    const WaitingLine waiting{"comparing with known mistakes; the first time takes a while"};
     const fs::path below = course.build / "mistakes";
     const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
     std::vector<Signature> found(answers.size());
@@ -134,7 +130,6 @@ Signatures signatures_of(const Course& course, const Exercise& exercise) {
     app::make_folder(file.parent_path());
     app::replace_file(file,
                       nlohmann::json{{"version", version}, {"mistakes", signatures}}.dump() + '\n');
-    if (on_terminal) print("\r\033[K");
     return signatures;
 }
 

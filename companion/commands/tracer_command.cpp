@@ -83,7 +83,10 @@ void draw(const Course& course, const Chapter& chapter) {
     std::vector<std::string> words;
     if (graft.reads == Graft::Reads::scene)
         words = {course.relative(tracer_scene(course)), course.relative(file)};
-    const Picture picture = draw_by_tracer(course, tracer_program(course), words, file).picture;
+    const Picture picture = [&] {
+        const WaitingLine waiting{"drawing your picture; Ctrl-C ends it"};
+        return draw_by_tracer(course, tracer_program(course), words, file).picture;
+    }();
     const fs::path shown = course.out() / "tracer.png";
     app::replace_file(shown, rt::encode_png(mean_of({picture})));
     print("Your picture: " + course.relative(shown) + '\n');
@@ -93,7 +96,10 @@ void draw(const Course& course, const Chapter& chapter) {
     must_build(course, answer);
     const fs::path other = course.out() / "tracer_ours.ppm";
     words.back() = course.relative(other);
-    const Picture ours = draw_by_tracer(course, course.program(answer), words, other).picture;
+    const Picture ours = [&] {
+        const WaitingLine waiting{"drawing ours"};
+        return draw_by_tracer(course, course.program(answer), words, other).picture;
+    }();
     if (ours.width != picture.width || ours.height != picture.height) return;
     const fs::path beside = course.out() / "tracer_beside_ours.png";
     app::replace_file(beside, rt::encode_png(side_by_side(mean_of({picture}), mean_of({ours}))));

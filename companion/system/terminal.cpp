@@ -29,6 +29,14 @@ std::size_t characters(const std::string& text) {
 
 }  // namespace
 
+WaitingLine::WaitingLine(const std::string& what) : is_shown_{app::is_terminal(stdout)} {
+    if (is_shown_) print(dim("  " + what + " ..."));
+}
+
+WaitingLine::~WaitingLine() {
+    if (is_shown_) print("\r\033[K");
+}
+
 void print(const std::string& text) {
     std::fputs(text.c_str(), stdout);
     std::fflush(stdout);

@@ -20,6 +20,18 @@ std::string dim(const std::string& text);
 // control characters except for line end and tab. After this many bytes the text is cut off.
 std::string printable(const std::string& text, std::size_t most = 4000);
 
+// Says on a terminal what is being done, and takes that back when it ends.
+class WaitingLine {
+  public:
+    explicit WaitingLine(const std::string& what);
+    ~WaitingLine();
+    WaitingLine(const WaitingLine&) = delete;
+    WaitingLine& operator=(const WaitingLine&) = delete;
+
+  private:
+    bool is_shown_;
+};
+
 // Shows what a program prints, line by line, made printable and cut off if it is too long.
 class Shown {
   public:
