@@ -9,7 +9,6 @@
 #include <companion/system/files.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
-#include <map>
 #include <regex>
 #include <sstream>
 #include <string_view>
@@ -58,6 +57,22 @@ std::string missing_semicolon(const Course& course, const std::string& error) {
                                  : "";
             }
     }
+    return "";
+}
+
+// What to look at, if the error is that the variable of a `for` is not known because the loop ended
+// before; otherwise empty. The compiler's warning about the loop shows its source in the next line.
+std::string ended_loop(const std::string& output, const std::string& error) {
+    if (!has(error, "declared")) return "";
+    std::istringstream in{output};
+    std::smatch place, loop;
+    for (std::string line, warning; std::getline(in, line); warning = line)
+        if ((has(warning, "clause does not guard") || has(warning, "loop has empty body")) &&
+            std::regex_search(warning, place, std::regex{":(\\d+):\\d+: "}) &&
+            std::regex_search(line, loop, std::regex{"\\bfor \\(.*?(\\w+) [=:]"}) &&
+            has(error, '\'' + loop[1].str() + '\''))
+            return "the `for` in line " + place[1].str() +
+                   " ends before this line: is there a ; after its ), or are braces missing?";
     return "";
 }
 
@@ -119,20 +134,15 @@ std::string first_error(const Course& course, const std::string& output,
         std::string meant{};   // the error to show instead: the learner's parameter takes no const
         std::string remedy{};  // the standard library's header that g++ names
     };
-    // The line of each `for` that ends before the statements meant for it, by its variable.
-    std::map<std::string, std::string> ended_loops;
     const auto with_remedy = [&](const Error& error) {
-        std::string add = error.remedy.empty() ? missing_include(course, error.text) : error.remedy;
-        for (const auto& [variable, line] : ended_loops)
-            if (has(error.text, '\'' + variable + '\'') && has(error.text, "declared"))
-                add = "the `for` in line " + line +
-                      " ends before this line: is there a ; after its ), or are braces missing?";
+        std::string add = ended_loop(output, error.text);
+        if (add.empty())
+            add = error.remedy.empty() ? missing_include(course, error.text) : error.remedy;
         return error.text + missing_semicolon(course, error.text) +
                (add.empty() ? "" : "\n  " + add);
     };
     std::vector<Error> errors;
     std::string linker, came_from, open_brace;
-    std::string ended_loop;     // the line of a `for`, if the next line of output shows it
     int shown = 0;              // lines of source that have been kept
     bool takes_source = false;  // the lines of source that follow belong to the note
     // The "file:line" of one of the files, if this line of output contains it.
@@ -149,14 +159,6 @@ std::string first_error(const Course& course, const std::string& output,
         line = with_relative_paths(course, line);
         const std::string place = place_in(line);
         const bool is_in_files = !place.empty(), is_within = is_in_files && line.find(place) == 0;
-        std::smatch loop;
-        if (!ended_loop.empty() &&
-            std::regex_search(line, loop, std::regex{"\\bfor \\(.*?(\\w+) [=:]"}))
-            ended_loops[loop[1]] = ended_loop;
-        ended_loop.clear();
-        if (is_within && has(line, "for") &&
-            (has(line, "clause does not guard") || has(line, "loop has empty body")))
-            ended_loop = place.substr(place.rfind(':') + 1);
         // "file:line:column: error: what"
         if (has(line, ": error: ") || has(line, ": fatal error: ") || has(line, "out of memory")) {
             errors.push_back({line, came_from, is_within});

@@ -59,7 +59,7 @@ std::string missing_include(const Course& course, const std::string& error) {
     if (name.empty() || !fs::is_regular_file(whole)) return "";
     const bool is_tracer = file.parent_path().filename() == "tracer";
     if (!is_tracer && file.parent_path().filename() != "rt") return "";
-    // <rt/pack.hpp> declares them, too, but who writes these names means the standard library's.
+    // <rt/pack.hpp> declares them, too, but a learner means the standard library's.
     if (std::regex_match(name, std::regex{"abs|copysign|fma|max|min|sqrt"})) return "";
     if (is_tracer && (name == "count" || name == "words")) return "";  // main's parameters
 

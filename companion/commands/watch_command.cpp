@@ -127,15 +127,15 @@ class Watch {
 
     // Returns whether the current exercise passes.
     bool check_current() {
-        if (on_terminal_) print("\033[2J\033[H" + dim("checking " + all_[current_].id + " ..."));
+        if (on_terminal_) print("\033[2J\033[H");
         std::vector<Checked> checked;
         std::string trouble;
         try {
+            const WaitingLine waiting{"checking " + all_[current_].id};
             checked = check_exercises(course_, {all_[current_]});
         } catch (const app::Failure& failure) {
             trouble = failure.what();
         }
-        if (on_terminal_) print("\r\033[K");
         if (!trouble.empty()) {
             print("course: " + trouble + '\n');
             print_keys();

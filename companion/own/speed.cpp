@@ -145,8 +145,8 @@ void judge_tree(const Trial& trial) {
          "at least " + number(trial.request.tree_gain, "%.0f") +
              " times as fast, in processor time",
          "Is the tree searched without --list, and the list with it? Do you skip everything in a "
-         "box if the ray misses the box or has already hit something "
-         "nearer than the box? std::fmin and std::fmax are slow; std::min and std::max are not."},
+         "box if the ray misses the box or has already hit something nearer than the box? "
+         "std::fmin and std::fmax are slow; std::min and std::max are not."},
         [&](JudgedLine& line) {
             look_at_tree(trial, 1.5, 16, crowds(trial.request.seed, 10'000), line);
         });

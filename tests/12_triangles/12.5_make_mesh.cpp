@@ -40,6 +40,12 @@ void check_normals(const Mesh& mesh, const Expected& expected_at, const std::str
         }
 }
 
+void check_first_normal(const Mesh& mesh, Vec3 expected, Real allowed, const char* hint) {
+    const Vec3 actual = normal_of(mesh, mesh.triangles[0][0]);
+    HINT(expected, actual, hint);
+    CHECK(rt::max_component(actual - expected) <= allowed);
+}
+
 void check_refused(const Polygons& polygons, const std::string& words, const std::string& what) {
     INFO(what << " must be refused: throw a std::invalid_argument whose message contains '" << words
               << "'");
@@ -272,11 +278,9 @@ TEST_CASE("12.5 a triangle counts in proportion to its area", "[12.5]") {
     mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, real(0.5), real(0.5)}};
     mesh.triangles = {{Corner{0}, {1}, {2}}, {Corner{0}, {2}, {3}}};
     rt::add_normals(mesh);
-    const Vec3 expected = Vec3{1, 0, 2} / std::sqrt(Real(5));
-    const Vec3 actual = normal_of(mesh, mesh.triangles[0][0]);
-    HINT(expected, actual,
-         "add up the cross products as they are: each is as long as twice its triangle's area");
-    CHECK(rt::max_component(actual - expected) <= 4 * rt::epsilon);
+    check_first_normal(
+        mesh, Vec3{1, 0, 2} / std::sqrt(Real(5)), 4 * rt::epsilon,
+        "add up the cross products as they are: each is as long as twice its triangle's area");
 }
 
 TEST_CASE("12.5 triangles that have normals count for their neighbors' normals", "[12.5]") {
@@ -437,11 +441,9 @@ TEST_CASE("12.5 an obtuse angle counts for more than a right angle", "[12.5][har
     mesh.points = {{0, 0, 0}, {1, -1, 0}, {0, 1, 0}, {0, 4, 0}, {0, 4, 4}};
     mesh.triangles = {{Corner{0}, {1}, {2}}, {Corner{0}, {3}, {4}}};
     rt::add_normals(mesh);
-    const Vec3 expected = Vec3{1, 0, 3} / std::sqrt(Real(10));
-    const Vec3 actual = normal_of(mesh, mesh.triangles[0][0]);
-    HINT(expected, actual,
-         "the angle of atan2 is between 0 and pi; a sine is the same for 135 degrees as for 45");
-    CHECK(rt::max_component(actual - expected) <= 16 * rt::epsilon);
+    check_first_normal(
+        mesh, Vec3{1, 0, 3} / std::sqrt(Real(10)), 16 * rt::epsilon,
+        "the angle of atan2 is between 0 and pi; a sine is the same for 135 degrees as for 45");
 }
 
 TEST_CASE("12.5 a corner gets no normal where the normals cancel", "[12.5][hard]") {
