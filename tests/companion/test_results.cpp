@@ -299,7 +299,7 @@ TEST_CASE("what never ends is stopped, and its hints are kept", "[test_results]"
         const bool ends = i == 3 || i == 4;
         CHECK(tests[0].passed == ends);
         if (is_loop) {
-            CHECK(result.cpu_seconds > 2.9);
+            CHECK(result.cpu_seconds > 2.5);  // the timer counts whole ticks of a shared core
             CHECK(result.cpu_seconds < 5);
         }
         if (i == 1 || ends) continue;
