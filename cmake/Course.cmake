@@ -1,7 +1,8 @@
-# The facts of course.json. course_names: the chapters of exercises in their order. For each of them
-# course_ids_NN_topic, its exercises; course_files_NN.k, the files that the learner writes for one;
-# course_text_NN_topic, the file of its text; and course_folders_NN_topic, the include folders of its solution:
-# what is given and the answers, of all chapters up to this one, so that no chapter can use what comes after it.
+# The facts of course.json. course_names: the chapters of exercises in their order; course_electives: those of them that
+# are not part of the core. For each chapter course_ids_NN_topic, its exercises; course_files_NN.k, the files that the
+# learner writes for one; course_text_NN_topic, the file of its text; and course_folders_NN_topic, the include folders
+# of its solution: what is given and the answers, of all chapters up to this one, so that no chapter can use what comes
+# after it.
 # Chapters that need what is missing here are left out; course_missing names what they need.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
@@ -16,6 +17,7 @@ function(course_fact out mode)
 endfunction()
 
 set(course_names "")
+set(course_electives "")
 set(course_missing "")
 set(folders "")
 course_fact(chapters LENGTH chapters)
@@ -54,5 +56,9 @@ foreach(chapter RANGE ${last_chapter})
     endforeach()
   endforeach()
   list(APPEND course_names ${name})
+  course_fact(is_core GET chapters ${chapter} core)
+  if(NOT is_core)
+    list(APPEND course_electives ${name})
+  endif()
 endforeach()
 set(course_folders ${folders})  # of all chapters

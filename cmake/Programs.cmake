@@ -196,9 +196,21 @@ function(course_graft chapter)
   endif()
 endfunction()
 
+# course_label_electives(): all tests of this folder get the label `elective`, which ./course test leaves out.
+function(course_label_electives)
+  get_property(tests DIRECTORY PROPERTY TESTS)
+  foreach(test ${tests})
+    set_property(TEST ${test} APPEND PROPERTY LABELS elective)
+  endforeach()
+endfunction()
+
 # course_chapter(NN_topic): all targets and tests of one chapter. Its CMakeLists.txt calls this, and adds what the
 # chapter alone has.
 function(course_chapter chapter)
+  if(chapter IN_LIST course_electives)
+    set_property(DIRECTORY PROPERTY COURSE_ELECTIVE ON)
+    cmake_language(DEFER CALL course_label_electives)
+  endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/study.cpp)
     # A study holds many loops, each of which is timed: g++ would stop inlining once the file has grown by
     # 40 %, and the loops after that would be slower than they are in a program.

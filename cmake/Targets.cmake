@@ -32,7 +32,8 @@ foreach(chapter ${course_names})
 endforeach()
 
 # All that the tests run, and nothing that a learner may have left half-written. The stubs as shipped are code of
-# the project. course_tests leaves out the tools that test the tests.
+# the project. course_tests leaves out the tools that test the tests. Without COURSE_ALL_TESTS, the electives are left
+# out, too.
 set(tested "")
 set(tools "")
 set(folders ${CMAKE_SOURCE_DIR})
@@ -40,6 +41,10 @@ while(folders)
   list(POP_FRONT folders folder)
   get_property(inner DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   list(APPEND folders ${inner})
+  get_property(is_elective DIRECTORY ${folder} PROPERTY COURSE_ELECTIVE)
+  if(is_elective AND NOT COURSE_ALL_TESTS)
+    continue()
+  endif()
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target ${targets})
     get_target_property(kind ${target} TYPE)
