@@ -92,7 +92,9 @@ struct LoggedTree {
         return any;
     }
     const std::array<std::uint8_t, 8>& order(std::int32_t node) const { return at(node).order; }
-    rt::WideChild child(std::int32_t node, unsigned place) const { return at(node).child[place]; }
+    rt::WideChild child(std::int32_t node, unsigned place) const {
+        return at(node).child.at(place);
+    }
     void leaf(std::int32_t number, rt::PathList list) {
         log.push_back({true, number, {list.begin(), list.end()}});
     }
