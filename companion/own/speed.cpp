@@ -110,7 +110,7 @@ void judge_cores(const Trial& trial) {
             const std::string scene = long_enough({trial.own, one}, trial.request.seed, Clock::wall,
                                                   0.5, trial.request.crowd);
             // A program that is fast enough once is fast enough. It gets another chance if the
-            // machine was busy, or if it is so near that chance may have decided.
+            // machine was busy, or if the program is so near that chance may have decided.
             for (int attempt = 0; attempt < 3 && !line.passed; ++attempt) {
                 const Turns mine =
                     in_turns({trial.own, one}, {trial.own, all}, scene, Clock::wall, 5, asked);

@@ -30,10 +30,13 @@
 #include "checkpoint.hpp"
 
 // While a rank waits, Open MPI calls this in a loop. A rank that has waited for long probably
-// hangs. It sleeps, so that it does not keep a core busy until we give up on it.
+// hangs. It sleeps, so that it does not keep a core busy until we give up on it. Open MPI calls
+// this in each MPI_Test, too. On a busy machine, a rank that leaves its core gets it back only
+// milliseconds later, so the first calls do nothing.
 inline int yields = 0;  // since the latest work began
 extern "C" int sched_yield() noexcept {
-    if (++yields < 10'000) return static_cast<int>(::syscall(SYS_sched_yield));
+    if (++yields < 1'000) return 0;
+    if (yields < 10'000) return static_cast<int>(::syscall(SYS_sched_yield));
     const timespec moment{0, 2'000'000};
     return ::nanosleep(&moment, nullptr);
 }
