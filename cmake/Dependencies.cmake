@@ -122,7 +122,7 @@ target_compile_definitions(course_tinyobj INTERFACE TINYOBJLOADER_USE_DOUBLE)
 set(COURSE_PYTHON_HAS_CLANG OFF)
 find_package(Python3 QUIET COMPONENTS Interpreter)
 foreach(candidate ${Python3_EXECUTABLE} /usr/bin/python3)
-  if(COURSE_ALL_TESTS AND NOT COURSE_PYTHON_HAS_CLANG)
+  if(NOT COURSE_PYTHON_HAS_CLANG)
     set(COURSE_PYTHON ${candidate})
     execute_process(COMMAND ${candidate} -c "import clang.cindex" RESULT_VARIABLE lacks_clang
                     OUTPUT_QUIET ERROR_QUIET)

@@ -30,9 +30,11 @@ int dev_check(const Course& course, const Given& given) {
                      "Compiling its test cases and mistakes; the first time takes a while.\n");
         for (std::string& line : wrong_when_run(course, exercise)) wrong.push_back(std::move(line));
     }
+    if (wrong.empty()) wrong = wrong_in_pictures(course, exercise);
     for (const std::string& line : wrong) print(line + '\n');
     if (!wrong.empty()) return app::could_not;
     print(exercise.id + " has all of its parts, and they are right.\n");
+    for (const std::string& line : not_asked(course, exercise)) print(line + '\n');
     return app::done;
 }
 

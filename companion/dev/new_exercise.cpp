@@ -6,6 +6,7 @@
 #include <map>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace companion {
 namespace {
@@ -59,6 +60,27 @@ std::string with_step(std::string text, const std::string& id) {
     return text;
 }
 
+// C++20's keywords, each between spaces.
+constexpr std::string_view keywords =
+    " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char16_t "
+    "char32_t char8_t class co_await co_return co_yield compl concept const const_cast "
+    "consteval constexpr constinit continue decltype default delete do double dynamic_cast "
+    "else enum explicit export extern false float for friend goto if inline int long mutable "
+    "namespace new noexcept not not_eq nullptr operator or or_eq private protected public "
+    "register reinterpret_cast requires return short signed sizeof static static_assert "
+    "static_cast struct switch template this thread_local throw true try typedef typeid "
+    "typename union unsigned using virtual void volatile wchar_t while xor xor_eq ";
+
+void expect_function_name(const std::string& name) {
+    if (!std::regex_match(name, std::regex{"[a-z][a-z0-9_]*"}) ||
+        name.find("__") != std::string::npos)
+        throw app::UsageError(
+            "--name: '" + name +
+            "' is not the name of a function: small letters, digits and single _");
+    if (keywords.find(' ' + name + ' ') != std::string_view::npos)
+        throw app::UsageError("--name: '" + name + "' is a keyword of C++; choose another name");
+}
+
 // Throws app::UsageError if this is not the number of a chapter's next exercise. Returns the last
 // exercise that the chapter has.
 Exercise last_before(const CourseFile& file, const std::string& id) {
@@ -80,9 +102,7 @@ Exercise last_before(const CourseFile& file, const std::string& id) {
 
 std::vector<fs::path> begin_exercise(const Course& course, const std::string& id,
                                      const std::string& name) {
-    if (!std::regex_match(name, std::regex{"[a-z][a-z0-9_]*"}))
-        throw app::UsageError("--name: '" + name +
-                              "' is not the name of a function: small letters, digits and _");
+    expect_function_name(name);
     const Exercise last = last_before(read_course_file(course), id);
     for (const char* const kind : {"common", "chapters", "solutions"})
         for (const fs::path& file : source_files(course.root / kind))

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/side_build.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/dev/new_exercise.hpp>
 #include <companion/dev/parts.hpp>
@@ -9,6 +10,9 @@
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
+#include <companion/system/platform.hpp>
+#include <companion/system/process.hpp>
+#include <cstdio>
 #include <iterator>
 #include <regex>
 #include <sstream>
@@ -150,6 +154,24 @@ void count_mistakes(const Course& course, const Exercise& exercise, Lines& wrong
                         std::to_string(count));
 }
 
+// One line for each file that clang-format would change, with the first line that it would change.
+void ask_clang_format(const Course& course, const Exercise& exercise, Lines& wrong) {
+    if (!is_installed("clang-format")) return;
+    std::vector<fs::path> files = checkpoint_files(course, exercise);
+    for (const fs::path& stub : exercise.files)
+        files.insert(files.end(), {stub, solution_of(stub)});
+    for (const fs::path& file : files) {
+        if (!fs::exists(course.root / file)) continue;
+        const Result result =
+            run_process({.command = {"clang-format", "--dry-run", "-Werror", file.generic_string()},
+                         .folder = course.root});
+        if (result.ok()) continue;
+        std::string place = result.output.substr(0, result.output.find(": "));
+        place.erase(std::min(place.rfind(':'), place.size()));  // the column
+        wrong.push_back(place + " is not formatted; run: clang-format -i " + file.generic_string());
+    }
+}
+
 std::string quoted_cases(const std::vector<TestCase>& tests) {
     std::string names;
     for (const TestCase& test : tests) names += (names.empty() ? "'" : ", '") + test.name + '\'';
@@ -192,6 +214,7 @@ std::vector<std::string> wrong_parts(const Course& course, const Exercise& exerc
     compare_stub(course, exercise, wrong);
     look_into_texts(course, exercise, wrong);
     count_mistakes(course, exercise, wrong);
+    ask_clang_format(course, exercise, wrong);
     return wrong;
 }
 
@@ -235,6 +258,36 @@ std::vector<std::string> wrong_when_run(const Course& course, const Exercise& ex
     std::copy_if(found.begin(), found.end(), std::back_inserter(wrong),
                  [](const std::string& line) { return !line.empty(); });
     return wrong;
+}
+
+std::vector<std::string> wrong_in_pictures(const Course& course, const Exercise& exercise) {
+    const std::string python = cached(course, "COURSE_DEAD_ENDS");
+    if (!exercise.chapter.core || python.empty()) return {};
+    std::fprintf(stderr, "Compiling the final scene, which takes a minute or two.\n");
+    const BuildResult built = build(course, {"dead_ends"});
+    if (!built.ok) {
+        const std::string error = first_error(course, built.output);
+        return {"dead_ends cannot be built: " +
+                (error.empty() ? "cmake --build build --target dead_ends says why" : error)};
+    }
+    const Result result = run_process(
+        {.command = {python, (course.root / "tests/dead_ends/dead_ends.py").string(), "run",
+                     course.root.string(),
+                     (course.build / "bin" / program_name("dead_ends")).string(), exercise.id},
+         .folder = course.build});
+    if (result.ok()) return {};
+    return {"dead_ends: " + result.output.substr(0, result.output.find_last_not_of('\n') + 1)};
+}
+
+std::vector<std::string> not_asked(const Course& course, const Exercise& exercise) {
+    Lines lines;
+    if (!is_installed("clang-format"))
+        lines.push_back("clang-format was not asked: it is not installed");
+    if (exercise.chapter.core && cached(course, "COURSE_DEAD_ENDS").empty())
+        lines.push_back(
+            "dead_ends was not asked whether a picture needs the exercise: it needs clang++, and a "
+            "python3 with libclang (on Debian, the packages clang and python3-clang)");
+    return lines;
 }
 
 }  // namespace companion

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <companion/dev/new_exercise.hpp>
 #include <companion/dev/parts.hpp>
+#include <companion/system/process.hpp>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -18,6 +19,7 @@ class Small {
         fs::create_directories(folder_ / "companion/dev");
         fs::copy_file(this_course().root / "companion/dev/exercise.txt",
                       folder_ / "companion/dev/exercise.txt");
+        fs::copy_file(this_course().root / ".clang-format", folder_ / ".clang-format");
         write_file(
             folder_ / "course.json",
             R"({"chapters": [{"name": "01_tiny", "core": true, "uses_real": true, "title": "Tiny",
@@ -96,8 +98,8 @@ TEST_CASE("each chapter can have another exercise", "[dev]") {
         const TemporaryFolder folder;
         const Course copy{folder.path(), folder / "build"};
         for (const fs::path& file :
-             {fs::path{"course.json"}, fs::path{"companion/dev/exercise.txt"}, chapter.text,
-              chapter.hints})
+             {fs::path{".clang-format"}, fs::path{"course.json"},
+              fs::path{"companion/dev/exercise.txt"}, chapter.text, chapter.hints})
             write_file(folder.path() / file, read_file(here.root / file));
         const auto last = exercises(here, chapter).back();
         const std::string id = chapter.number() + '.' + std::to_string(last.id.back() - '0' + 1);
@@ -115,7 +117,8 @@ TEST_CASE("a new exercise changes nothing where its number or its name is taken"
     Small small;
     for (const char* const id : {"01.1", "01.3", "02.1", "1.2", "01", "x", ""})
         CHECK_THROWS_AS(begin_exercise(small.course(), id, "two"), app::UsageError);
-    for (const char* const name : {"", "Two", "2", "a b", "a/b", "two.hpp"})
+    for (const char* const name :
+         {"", "Two", "2", "a b", "a/b", "two.hpp", "two__", "alignas", "new", "xor", "xor_eq"})
         CHECK_THROWS_AS(begin_exercise(small.course(), "01.2", name), app::UsageError);
     write_file(small.path("common/rt/vec3.hpp"), "");
     CHECK_THROWS_AS(begin_exercise(small.course(), "01.2", "vec3"), app::UsageError);
@@ -128,7 +131,10 @@ TEST_CASE("a new exercise changes nothing where its number or its name is taken"
 TEST_CASE("what is wrong with an exercise is said, with what would be right", "[dev]") {
     Small small;
     begin_exercise(small.course(), "01.2", "two");
-    small.replace(stub, "two(Real x)", "two(int x)");
+    small.replace(stub, "two(Real x)", "two(int  x)");
+    if (is_installed("clang-format"))
+        CHECK(has(small.wrong(), stub + ":10 is not formatted; run: clang-format -i " + stub));
+    small.replace(stub, "two(int  x)", "two(int x)");
     CHECK(has(small.wrong(),
               stub + " has 'Real two(int x)', which solutions/01_tiny/rt/two.hpp has not"));
     small.replace(stub, "return rt::todo(\"01.2\", x)", "return x");
@@ -142,7 +148,7 @@ TEST_CASE("what is wrong with an exercise is said, with what would be right", "[
     small.replace("docs/01.md", "### 01.2", "### 1.2");
     CHECK(has(small.wrong(), "docs/01.md needs a section '### 01.2 TITLE (about N minutes)'"));
     small.replace(mistakes, "    return x;", "    return y;");
-    CHECK(has(small.wrong(), mistakes + ":10: these lines are not in "));
+    CHECK(has(small.wrong(), mistakes + ":11: these lines are not in "));
     small.replace(mistakes, "title: ", "titel: ");
     CHECK(has(small.wrong(), mistakes + ":4: 'titel' is not a known key"));
     for (const std::string& file : {stub, mistakes, std::string{"tests/01_tiny/01.2/answer.cpp"},

@@ -6,7 +6,7 @@ COURSE_TEST_FOLDER=$(mktemp -d)
 export COURSE_TEST_FOLDER
 trap 'rm -rf "$COURSE_TEST_FOLDER"' EXIT
 cd "$2"
-tar -cf - course.json CMakeLists.txt CMakePresets.json chapters cmake common companion docs exercises solutions tests |
+tar -cf - .clang-format course.json CMakeLists.txt CMakePresets.json chapters cmake common companion docs exercises solutions tests |
     tar -xf - -C "$COURSE_TEST_FOLDER"
 cd "$COURSE_TEST_FOLDER"
 next=$(($(grep -c '"id": "00\.' course.json) + 1)) # of chapter 00, which is not checked in float
@@ -33,6 +33,7 @@ edit() {
 }
 
 says 2 'needs --name' dev new "$id"
+says 2 "'xor' is a keyword" dev new "$id" --name xor
 says 0 'exercises/00_toolchain/rt/absorbed.hpp' dev new "$id" --name absorbed
 says 2 "the next exercise of this chapter is 00.$((next + 1))" dev new "$id" --name other
 stub=exercises/00_toolchain/rt/absorbed.hpp solution=solutions/00_toolchain/rt/absorbed.hpp
@@ -54,9 +55,16 @@ for name in twice more; do
     echo
     sed "/^## /s/_.*/_$name/; s/-x/2 * x + ($name)/; s/(twice)/0/; s/(more)/1/" first
 done >>"$mistakes"
+if ! grep -q '^COURSE_DEAD_ENDS:INTERNAL=$' build/CMakeCache.txt; then
+    says 1 "dead_ends: $id: as its stub, .* if no picture needs it" dev check "$id"
+    edit tests/dead_ends/unused.json "s/^{/{ \"$id\": \"a number\",/"
+fi
 says 0 "$id has all of its parts" dev check "$id"
 
 # What breaks it is said.
+edit $solution 's/return x/return  x/'
+says 1 "^$solution:[0-9]* is not formatted" dev check "$id"
+edit $solution 's/return  x/return x/'
 edit "$cases" 's/computed == 2/computed == 3/'
 says 1 "the solution fails in double: '$id written what holds'" dev check "$id"
 edit "$cases" 's/computed == 3/computed == 2/'

@@ -4,11 +4,13 @@
   dead_ends.py make ROOT FOLDER    copies the solution's files into FOLDER/rt, where each function that
                                    an exercise asks for ends as its stub would if the environment
                                    variable COURSE_STUB names that exercise
-  dead_ends.py run ROOT PROGRAM    renders the final scene, tiny, with each exercise in turn as its
-                                   stub: PROGRAM must end with 3 and name it. unused.json lists the
-                                   exercises that cannot be noticed there, and why. The material of
-                                   05.6 has a scene of its own: `compare` puts the learner's final
-                                   scene beside ours, and another material is no mistake.
+  dead_ends.py run ROOT PROGRAM [NN.k]
+                                   renders the final scene, tiny, with each exercise (or this one)
+                                   in turn as its stub: PROGRAM must end with 3 and name it.
+                                   unused.json lists the exercises that cannot be noticed there,
+                                   and why. The material of 05.6 has a scene of its own: `compare`
+                                   puts the learner's final scene beside ours, and another material
+                                   is no mistake.
 """
 import json
 import os
@@ -85,10 +87,12 @@ def make(root, folder):
             copy.write_bytes(source)
 
 
-def run(root, program):
+def run(root, program, only=None):
     unused = json.loads((root / "tests/dead_ends/unused.json").read_text())
     wrong = 0
     for _, exercise, _ in exercises(root):
+        if only not in (None, exercise):
+            continue
         file = SCENE_FILES.get(exercise)
         scene = [root / "chapters/08_effects/scenes" / file] if file else []
         command = [program.absolute(), *scene, *SCENE, "--out", "dead_ends.png"]
@@ -115,6 +119,6 @@ def run(root, program):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 4 or sys.argv[1] not in ("make", "run"):
+    if len(sys.argv) not in {"make": [4], "run": [4, 5]}.get(sys.argv[1] if sys.argv[1:] else "", []):
         sys.exit(__doc__)
-    {"make": make, "run": run}[sys.argv[1]](pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]))
+    {"make": make, "run": run}[sys.argv[1]](pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3]), *sys.argv[4:])
