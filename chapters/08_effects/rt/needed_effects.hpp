@@ -7,13 +7,12 @@ namespace rt {
 // chapters have added.
 inline Effects needed_effects(const SceneDescription& scene) {
     const Effects needed = with(effects_of(scene), added_effects(scene));
-    if (scene.meshes.empty()) return needed;
-    // A mesh calls for the same effects as a sphere of its material.
-    SceneDescription of_meshes;
-    of_meshes.materials = scene.materials;
-    for (const MeshDescription& mesh : scene.meshes)
-        of_meshes.spheres.push_back({{}, mesh.material});
-    return with(needed, effects_of(of_meshes));
+    // Any other shape calls for the same effects as a sphere of its material.
+    SceneDescription as_spheres;
+    for_other_shapes(scene, [&](int material) { as_spheres.spheres.push_back({{}, material}); });
+    if (as_spheres.spheres.empty()) return needed;
+    as_spheres.materials = scene.materials;
+    return with(needed, with(effects_of(as_spheres), added_effects(as_spheres)));
 }
 
 }  // namespace rt

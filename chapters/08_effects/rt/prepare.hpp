@@ -1,12 +1,14 @@
 #pragma once
+#include <rt/aggregate.hpp>
+#include <rt/instance_shape.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lights.hpp>
 #include <rt/moving_spheres.hpp>
-#include <rt/placed_sphere.hpp>
 #include <rt/renderer_materials.hpp>
 #include <rt/scene.hpp>
-#include <rt/sphere_list.hpp>
+#include <rt/wide_builder.hpp>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -41,6 +43,23 @@ inline Prepared prepare_shapes(const SceneDescription& scene) {
         }
     }
     return prepared;
+}
+
+// A tree of shapes if `present` is true, and otherwise NoWorld (given).
+template <bool present, class Shape>
+auto tree_if(const std::vector<Shape>& shapes) {
+    if constexpr (present)
+        return make_tree(shapes, split_by_area);
+    else
+        return NoWorld{};
+}
+
+// The world of a renderer with these effects: one tree for each type of shape (given). Spheres that
+// stand still come first, because most spheres do, and because the lights are among them.
+template <Effects effects>
+auto make_world(const Prepared& shapes) {
+    auto spheres = both(make_wide_tree(shapes.still), tree_if<effects.motion>(shapes.moving));
+    return both(std::move(spheres), tree_if<effects.instances>(shapes.instances));
 }
 
 // A material as renderers keep it.

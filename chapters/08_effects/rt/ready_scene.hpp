@@ -1,38 +1,16 @@
 #pragma once
-#include <rt/aggregate.hpp>
 #include <rt/cameras.hpp>
 #include <rt/effects.hpp>
 #include <rt/fog.hpp>
 #include <rt/haze.hpp>
-#include <rt/instance_shape.hpp>
 #include <rt/lights.hpp>
 #include <rt/make_camera.hpp>
-#include <rt/moving_spheres.hpp>
 #include <rt/prepare.hpp>
 #include <rt/renderer_materials.hpp>
 #include <rt/scene.hpp>
-#include <rt/wide_builder.hpp>
 #include <type_traits>
-#include <utility>
 
 namespace rt {
-
-// A tree of shapes if `present` is true, and otherwise NoWorld (given).
-template <bool present, class Shape>
-auto tree_if(const std::vector<Shape>& shapes) {
-    if constexpr (present)
-        return make_tree(shapes, split_by_area);
-    else
-        return NoWorld{};
-}
-
-// The world of a renderer with these effects: one tree for each type of shape (given). Spheres that
-// stand still come first, because most spheres do, and because the lights are among them.
-template <Effects effects>
-auto make_world(const Prepared& shapes) {
-    auto spheres = both(make_wide_tree(shapes.still), tree_if<effects.motion>(shapes.moving));
-    return both(std::move(spheres), tree_if<effects.instances>(shapes.instances));
-}
 
 // The types that make up a renderer with exactly these effects (given). Each type contains what an
 // effect needs only if the renderer has this effect, so nothing is decided while the picture is

@@ -77,8 +77,16 @@ struct SceneDescription {
     RenderSettings settings;
 };
 
+// Calls use(material) for every shape that is not a sphere, with the index of its material. A
+// chapter that adds a kind of shape adds it to the lists above, and here.
+template <class Scene, class Use>
+void for_other_shapes(Scene& scene, const Use& use) {
+    for (auto& mesh : scene.meshes) use(mesh.material);
+}
+
 // The effects that a scene calls for beyond those of 08.1. A chapter that adds a kind of shape, of
-// material or of light adds it to the lists above, and says here when a scene has it.
+// material or of light says here when a scene has it. Of the shapes, only spheres need be asked for
+// their material: see needed_effects.
 inline Effects added_effects(const SceneDescription& scene) {
     return {.haze = scene.haze && scene.haze->density > 0};
 }

@@ -34,13 +34,17 @@ app::Picture show_description(SceneDescription scene, const app::Settings& setti
                               app::Progress& progress) {
     hold_still(scene.camera, settings.show);
     if (settings.show == "sphere") {
-        // Each sphere gets a material of its own, whose number then says which sphere was hit.
+        // Each sphere gets a material of its own, whose number then says which sphere was hit. The
+        // materials of other shapes come after those.
         const auto shared = std::move(scene.materials);
         scene.materials.clear();
         for (SphereDescription& sphere : scene.spheres) {
             scene.materials.push_back(shared[static_cast<std::size_t>(sphere.material)]);
             sphere.material = static_cast<int>(scene.materials.size()) - 1;
         }
+        const auto spheres = static_cast<int>(scene.spheres.size());
+        for_other_shapes(scene, [&](int& material) { material += spheres; });
+        scene.materials.insert(scene.materials.end(), shared.begin(), shared.end());
     }
     return show_ready(ReadyScene<effects>{scene, settings.width, settings.height}, settings,
                       progress);

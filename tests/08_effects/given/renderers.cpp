@@ -40,6 +40,23 @@ TEST_CASE("a test scene has the effects that it says") {
     }
 }
 
+TEST_CASE("a mesh calls for the same effects as a sphere of its material") {
+    for (const rt::NamedEffect& effect : rt::all_effects) {
+        Effects one;
+        one.*effect.member = true;
+        rt::SceneDescription scene = scene_with(one);
+        std::erase_if(scene.spheres, [&](const rt::SphereDescription& sphere) {
+            const auto& material = scene.materials[static_cast<std::size_t>(sphere.material)];
+            const bool can_be_mesh = sphere.map < 0 && sphere.velocity == rt::Vec3{} &&
+                                     !std::holds_alternative<rt::Emitter>(material);
+            if (can_be_mesh) scene.meshes.push_back({nullptr, {}, sphere.material});
+            return can_be_mesh;
+        });
+        INFO(effect.name << ": found to be " << names(needed_effects(scene)));
+        CHECK((needed_effects(scene) == one));
+    }
+}
+
 TEST_CASE("each scene's narrowest renderer draws what the full one draws") {
     const std::size_t full = rt::narrowest(rt::every_effect, rt::renderer_effects);
     std::set<std::size_t> used;
