@@ -11,25 +11,24 @@ namespace rt {
 using PixelShader =
     std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 
-// The renderers that are compiled (given), each for one of these sets of effects: 9 of the 2048
-// possible sets. A material or a lens that is compiled in but not used costs nothing that can be
-// measured, so only one renderer does without them. Motion, lights, fog, haze and instances do cost
-// something, so each of them has a renderer of its own, and so has each pair that scenes often
-// have. The last renderer has every effect. It alone has the material of 05.6 and the effects that
-// later chapters add.
+// The renderers that are compiled (given), each for one of these sets of effects. A material or a
+// lens that is compiled in but not used costs nothing that can be measured, so only one renderer
+// does without them. Motion, lights, fog, haze and instances do cost something, so each of them has
+// a renderer of its own, and so has each pair that scenes often have. The last renderer has every
+// effect. It alone has the material of 05.6 and the effects that later chapters add.
 inline constexpr auto renderer_effects = [] {
     constexpr Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
     constexpr Effects none;
-    return std::array<Effects, 9>{none,
-                                  materials,
-                                  with(materials, {.motion = true}),
-                                  with(materials, {.lights = true}),
-                                  with(materials, {.fog = true}),
-                                  with(materials, {.haze = true}),
-                                  with(materials, {.instances = true}),
-                                  with(materials, {.lights = true, .instances = true}),
-                                  every_effect};
+    return std::array{none,
+                      materials,
+                      with(materials, {.motion = true}),
+                      with(materials, {.lights = true}),
+                      with(materials, {.fog = true}),
+                      with(materials, {.haze = true}),
+                      with(materials, {.instances = true}),
+                      with(materials, {.lights = true, .instances = true}),
+                      every_effect};
 }();
 
 // Makes a PixelShader, which draws a scene with one of these renderers. The scene must outlive the
