@@ -179,7 +179,7 @@ while [ $# -gt 0 ]; do
     --folder) folder=$2 && shift ;;
     all) for name in $(each_name); do [ -n "$(left_out "$name")" ] || names+=("$name"); done ;;
     *)
-        if ! each_name | grep -qxF -- "$1" || [ -n "$(left_out "$1")" ]; then
+        if ! each_name | grep -xF -- "$1" >/dev/null || [ -n "$(left_out "$1")" ]; then
             echo "check.sh: no configuration '$1': see check.sh --list" >&2
             exit 2
         fi
