@@ -96,16 +96,14 @@ WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes, const
     return wide;
 }
 
-// Sorting along three axes takes too long for a node with more than many_in_a_node shapes, and for
-// all nodes of a scene with very_many shapes. Bins lose hardly anything there.
-inline constexpr std::size_t many_in_a_node = 100, very_many = 100'000;
-
-// The same with split_by_area, or with binned_split where sorting takes too long.
+// The same with split_by_area for nodes just above the leaves and binned_split for all others. Bins
+// need no sorting, which would take most of the time, and a search is hardly any slower for them.
 template <class Number = float, class Shape>
 WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes) {
-    const std::size_t most = shapes.size() < very_many ? many_in_a_node : 0;
-    return make_wide_tree<Number>(shapes, [most](std::span<int> order, std::span<const Box> boxes) {
-        return order.size() <= most ? split_by_area(order, boxes) : binned_split(order, boxes);
+    constexpr std::size_t most_sorted = 2 * lanes;
+    return make_wide_tree<Number>(shapes, [](std::span<int> order, std::span<const Box> boxes) {
+        return order.size() <= most_sorted ? split_by_area(order, boxes)
+                                           : binned_split(order, boxes);
     });
 }
 

@@ -3,6 +3,7 @@
 #include <rt/flat_tree.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
+#include <study/timing.hpp>
 
 #include "../scenes.hpp"
 #include "../tree_checks.hpp"
@@ -179,6 +180,45 @@ TEST_CASE("an 8-wide tree holds every sphere once and its boxes contain it", "[g
             }
         }
         for (const int times : seen) REQUIRE(times == 1);
+    }
+}
+
+TEST_CASE("a wide tree is searched as fast as if all its nodes were split exactly",
+          "[given][wide]") {
+    for (const int count : {50, 1000, 10'000}) {
+        Spheres on_ground = random_spheres(count, 3);
+        for (SceneSphere& s : on_ground) s.shape.center.y = s.shape.radius /= 3;
+        add(on_ground, {0, -1000, 0}, 1000);
+        for (const Spheres& spheres : {random_spheres(count, 2), on_ground}) {
+            const auto exact = rt::make_wide_tree<float>(spheres, rt::split_by_area);
+            const auto tree = rt::make_wide_tree<float>(spheres);
+            rt::Rng rng{78, 1};
+            long exact_tests = 0, tests = 0;
+            for (int i = 0; i < 3000; ++i) {
+                const Ray ray{3 * any_direction(rng), in_cube(rng)};
+                const auto count_tests = [&](const auto& any_tree) {
+                    const auto found =
+                        any_tree.search({ray.origin, ray.direction - ray.origin}, {});
+                    return found.box_tests + found.shape_tests;
+                };
+                exact_tests += count_tests(exact);
+                tests += count_tests(tree);
+            }
+            INFO(spheres.size() << " spheres: " << tests << " tests, expected at most 1.04 times "
+                                << exact_tests);
+            CHECK(static_cast<double>(tests) <= 1.04 * static_cast<double>(exact_tests));
+        }
+    }
+}
+
+TEST_CASE("a wide tree is built nearly as fast as by bins alone", "[given][wide]") {
+    for (const int count : {10'000, 50'000}) {
+        const Spheres spheres = random_spheres(count);
+        const auto times = study::in_turns_ns(
+            {[&] { study::keep(rt::make_wide_tree<float>(spheres, rt::binned_split)); },
+             [&] { study::keep(rt::make_wide_tree<float>(spheres)); }});
+        INFO(count << " spheres: " << times[1] / times[0] << " times as long as by bins");
+        CHECK(times[1] <= 1.25 * times[0]);
     }
 }
 
