@@ -296,7 +296,7 @@ class Reader {
         const Value given = value.at("color");
         if (!given.is_object()) return color(given, shares);
         const Value between = given.with_keys({"between"}).at("between");
-        const std::vector<Value> ends = between.list("two colors");
+        const Value::List ends = between.list("two colors");
         if (ends.size() != 2)
             between.fail("must be a list of two colors, not of " + std::to_string(ends.size()));
         material.between = {color(ends[0], shares), color(ends[1], shares)};
@@ -374,13 +374,13 @@ class Reader {
 
     // Three rows of four numbers; the fourth row of the matrix is always 0 0 0 1.
     static Mat4 read_matrix(const Value& matrix) {
-        const std::vector<Value> rows = matrix.list("three rows of four numbers");
+        const Value::List rows = matrix.list("three rows of four numbers");
         if (rows.size() != 3)
             matrix.fail("must be a list of three rows, not of " + std::to_string(rows.size()));
         Mat4 map;
         for (int row = 0; row < 3; ++row) {
-            const Value& given = rows[static_cast<std::size_t>(row)];
-            const std::vector<Value> numbers = given.list("four numbers");
+            const Value given = rows[static_cast<std::size_t>(row)];
+            const Value::List numbers = given.list("four numbers");
             if (numbers.size() != 4)
                 given.fail("must be a list of four numbers, not of " +
                            std::to_string(numbers.size()));
@@ -472,7 +472,7 @@ class Reader {
         if (count > room())
             wanted.fail("is " + std::to_string(count) + ", but a scene may have only " +
                         std::to_string(limits_.spheres) + " spheres, and " +
-                        std::to_string(room()) + " are left");
+                        std::to_string(room()) + (room() == 1 ? " is left" : " are left"));
         const Vec3 center = vec3(group, "center", {});
         const placing::Ball space = placing::ball_of({center, number(group.at("extent"), lengths)});
         const auto [low, high] = radii(group.at("radius"));
@@ -492,8 +492,8 @@ class Reader {
                             "the others; ask for fewer spheres, or a larger extent");
             if (static_cast<int>(balls.size()) < count)
                 wanted.fail("is " + std::to_string(count) + ", but only " +
-                            std::to_string(balls.size()) +
-                            " fit without overlapping; ask for fewer or smaller spheres, or "
+                            std::to_string(balls.size()) + (balls.size() == 1 ? " fits" : " fit") +
+                            " without overlapping; ask for fewer or smaller spheres, or "
                             "a larger extent");
         }
         add(balls, group);
@@ -516,7 +516,7 @@ class Reader {
             const auto radius = static_cast<double>(number(value, lengths));
             return {radius, radius};
         }
-        const std::vector<Value> ends = value.list("two radii");
+        const Value::List ends = value.list("two radii");
         if (ends.size() != 2)
             value.fail("must be a radius or a list of two, not a list of " +
                        std::to_string(ends.size()));
@@ -525,7 +525,7 @@ class Reader {
     }
 
     void add(const std::vector<placing::Ball>& balls, const Value& group) {
-        const std::vector<Value> names = group.at("materials").list("names of materials");
+        const Value::List names = group.at("materials").list("names of materials");
         if (names.empty()) group.at("materials").fail("must name one material or more");
         std::vector<Material*> choice;
         SphereDescription sphere;

@@ -25,8 +25,8 @@ inline Real number(const Value& value, Range range) {
 }
 
 inline std::array<Real, 3> three(const Value& value, const std::string& wanted, Range range) {
-    const std::vector<Value> all = value.is_list() ? value.list("numbers") : std::vector<Value>{};
-    if (all.size() != 3) value.refuse(wanted);
+    if (!value.is_list() || value.list("numbers").size() != 3) value.refuse(wanted);
+    const Value::List all = value.list("numbers");
     return {number(all[0], range), number(all[1], range), number(all[2], range)};
 }
 

@@ -111,12 +111,12 @@ std::string read_input_file(const fs::path& path, const std::string& name, std::
     if (fs::is_directory(status)) refuse("is a folder; name a file in it");
     if (!fs::is_regular_file(status)) refuse("is a device or a pipe; name a regular file");
 
-    const auto bytes = read_bytes(path, most);
+    auto bytes = read_bytes(path, most);
     if (!bytes)
         refuse(std::string{"cannot be read ("} + std::strerror(errno) + "); name a readable file");
     if (bytes->size() > most)
         refuse("is too large; " + std::to_string(most >> 20) + " MiB are allowed");
-    return *bytes;
+    return std::move(*bytes);
 }
 
 void make_folder(const fs::path& folder) {

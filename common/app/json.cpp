@@ -140,6 +140,7 @@ class Builder : public nlohmann::json_sax<json> {
         if (inner.value.contains(key))
             throw UsageError(file_ + ": " + path_of_member(path(), key) +
                              " appears twice; each key may appear only once in its object");
+        count();
         inner.key = std::move(key);
         inner.wants_value = true;
         return true;
@@ -191,7 +192,14 @@ class Builder : public nlohmann::json_sax<json> {
         if (inner.wants_value) return last == '"' ? a_colon : a_value;
         return last == ',' ? a_key : first ? first_key : next_member;
     }
+    // Counts one more key or value.
+    void count() {
+        if (++count_ > max_json_values)
+            throw UsageError(file_ + " has too many keys and values; " +
+                             std::to_string(max_json_values) + " are allowed");
+    }
     bool add(json value) {
+        count();
         is_read_ = open_.empty();
         if (open_.empty()) {
             result = std::move(value);
@@ -223,6 +231,7 @@ class Builder : public nlohmann::json_sax<json> {
     const std::string& file_;
     std::vector<Open> open_;  // the outermost one first
     bool is_read_ = false;    // whether the whole text has been read
+    std::size_t count_ = 0;   // of keys and values so far
 };
 
 }  // namespace

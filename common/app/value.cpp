@@ -98,14 +98,18 @@ const std::string& Value::word(const std::vector<std::string>& words) const {
     return chosen;
 }
 
-std::vector<Value> Value::list(const std::string& of_what, std::size_t least) const {
+Value::List Value::list(const std::string& of_what, std::size_t least) const {
     if (!json_->is_array() || json_->size() < least)
         refuse("a list [ ... ] of " + (least ? std::to_string(least) + " or more " : "") + of_what);
-    std::vector<Value> values;
-    values.reserve(json_->size());
-    for (std::size_t i = 0; i < json_->size(); ++i)
-        values.push_back({file_, (*json_)[i], path_of_item(path_, i)});
-    return values;
+    return List{*this};
+}
+
+std::size_t Value::List::size() const {
+    return whole_.json_->size();
+}
+
+Value Value::List::operator[](std::size_t index) const {
+    return {whole_.file_, (*whole_.json_)[index], path_of_item(whole_.path_, index)};
 }
 
 std::vector<std::pair<std::string, Value>> Value::members(const std::string& of_what) const {

@@ -39,7 +39,8 @@ class Value {
     bool yes() const;
     const std::string& text(const std::string& what = "a text") const;
     const std::string& word(const std::vector<std::string>& words) const;  // one of these
-    std::vector<Value> list(const std::string& of_what, std::size_t least = 0) const;
+    class List;
+    List list(const std::string& of_what, std::size_t least = 0) const;
 
     // The members of an object whose keys are names that people chose.
     std::vector<std::pair<std::string, Value>> members(const std::string& of_what) const;
@@ -55,6 +56,33 @@ class Value {
     std::shared_ptr<const File> file_;
     const nlohmann::json* json_;
     std::string path_;
+};
+
+// The items of a list. Each is made when it is asked for, because a file may have millions.
+class Value::List {
+  public:
+    std::size_t size() const;
+    bool empty() const { return size() == 0; }
+    Value operator[](std::size_t index) const;
+
+    struct Iterator {
+        const List* list;
+        std::size_t index;
+        Value operator*() const { return (*list)[index]; }
+        Iterator& operator++() {
+            ++index;
+            return *this;
+        }
+        bool operator==(const Iterator&) const = default;
+    };
+    Iterator begin() const { return {this, 0}; }
+    Iterator end() const { return {this, size()}; }
+
+  private:
+    friend class Value;
+    explicit List(Value whole) : whole_{std::move(whole)} {}
+
+    Value whole_;
 };
 
 // A number in the form in which a person writes it.

@@ -108,8 +108,9 @@ refuses empty.json 'meshes\[0\].file.*no polygons'
 mesh none.json "$corners"
 refuses none.json 'meshes\[0\].file.*no polygons'
 mesh drawn.json "${corners}f -3 -2 -1\n"
-"$program" drawn.json --quiet --width 9 --height 9 --out drawn.png 2>stderr ||
+"$program" drawn.json --explain --width 9 --height 9 --out drawn.png >stdout 2>stderr ||
     complain drawn.json "it was not drawn"
+grep -q ', 0 spheres, 1 triangle$' stdout || complain drawn.json "not '0 spheres, 1 triangle'"
 sed 's/mesh.obj/..\/mesh.obj/' drawn.json >outside.json
 refuses outside.json 'meshes\[0\].file .*only files in that folder'
 sed 's/"gold"}/"gold", "matrix": [[1, 0, 1, 0], [0, 1, 1, 0], [1, 1, 2, 0]]}/' drawn.json >flat.json
@@ -119,6 +120,27 @@ for image in ../picture.png /etc/passwd link.png; do
     scene image.json ", \"textures\": {\"map\": {\"type\": \"image\", \"file\": \"$image\"}}"
     refuses image.json 'textures.map.file .*only files in that folder'
 done
+
+# Files of the allowed size may not fill the memory, whatever they hold. A sanitized program or one for Windows
+# does not start with so little address space, and is not limited.
+# shellcheck disable=SC3045  # dash, bash and zsh have ulimit -v
+limit() { ulimit -v 1700000; }
+if (limit && "$program" --help) >stdout 2>&1; then limit; fi
+# repeated FILE BEGIN PART END: 64 MiB of the same part.
+repeated() {
+    bytes=$((64 * 1024 * 1024 - 200))
+    printf %s "$2" >"$1"
+    yes "$3" | tr -d '\n' | head -c $((bytes - bytes % ${#3})) >>"$1"
+    printf %s "$4" >>"$1"
+}
+repeated objects.json '[' '{},' '0]'
+refuses objects.json 'has too many keys and values; 12000000 are allowed'
+repeated deep.json '' '[' ''
+refuses deep.json 'is nested too deeply'
+repeated text.json '{"about": "' 'a' '"}'
+refuses text.json 'the scene needs "camera"'
+repeated digits.json '{"camera": ' '9' '}'
+refuses digits.json 'is too large; 1e308'
 
 [ "$failures" -eq 0 ] || echo "$failures complaints"
 [ "$failures" -eq 0 ]

@@ -229,7 +229,7 @@ TEST_CASE("a file that cannot be read is refused", "[scene_file]") {
     write_file(folder / "empty.json", "");
     CHECK(holds(said(folder / "empty.json"), "is empty"));
     write_file(folder / "large.json", std::string(app::max_json_bytes + 1, ' '));
-    CHECK(holds(said(folder / "large.json"), "4 MiB are allowed"));
+    CHECK(holds(said(folder / "large.json"), " 64 MiB are allowed"));
 }
 
 TEST_CASE("what is not JSON is refused with line and column", "[scene_file]") {
