@@ -2,6 +2,7 @@
 // How much faster several workers are than one, by this machine's clock.
 
 #include <cstdio>
+#include <rt/counted.hpp>
 #include <rt/strategies.hpp>
 #include <string>
 #include <study/median.hpp>
@@ -67,7 +68,7 @@ inline std::vector<SpeedUp> speed_ups(const Scene& scene, int most) {
 
 inline std::string table(const std::vector<SpeedUp>& rows) {
     const unsigned cores = std::thread::hardware_concurrency();
-    std::string text = "Measured on " + std::to_string(cores) + (cores == 1 ? " core" : " cores") +
+    std::string text = "Measured on " + counted(cores, "core") +
                        ", a small picture of the scene, median of five:\n"
                        "strategy          workers      time  speed-up\n";
     for (const SpeedUp& row : rows) {

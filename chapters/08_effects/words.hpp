@@ -2,6 +2,7 @@
 // What the program says about a scene and the renderer that draws it.
 
 #include <algorithm>
+#include <rt/counted.hpp>
 #include <rt/needed_effects.hpp>
 #include <string>
 
@@ -12,12 +13,11 @@ namespace effects {
 inline std::string explanation(const rt::SceneDescription& scene, const std::string& file,
                                const Choice& choice) {
     const rt::Effects needed = rt::needed_effects(scene);
-    const std::size_t spheres = scene.spheres.size();
     std::size_t triangles = 0;
     for (const rt::MeshDescription& mesh : scene.meshes) triangles += mesh.mesh->triangles.size();
     return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
-           std::to_string(spheres) + (spheres == 1 ? " sphere" : " spheres") +
-           (triangles > 0 ? ", " + std::to_string(triangles) + " triangles" : "") +
+           rt::counted(scene.spheres.size(), "sphere") +
+           (triangles > 0 ? ", " + rt::counted(triangles, "triangle") : "") +
            "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", " +
            (choice.in_batches ? "in batches" : "one of " + std::to_string(choice.renderers)) +
            "\nunused:   " + names(without(choice.chosen, needed)) +
@@ -31,7 +31,7 @@ inline std::string note_on(const rt::SceneDescription& scene) {
     };
     const auto count = std::count_if(scene.spheres.begin(), scene.spheres.end(), moves);
     if (count == 0 || scene.camera.shutter > 0) return "";
-    return "note: " + std::to_string(count) + (count == 1 ? " sphere has" : " spheres have") +
+    return "note: " + rt::counted(count, "sphere") + (count == 1 ? " has" : " have") +
            " a velocity and no trail, because camera.shutter is 0\n";
 }
 

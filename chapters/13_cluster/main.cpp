@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <rt/counted.hpp>
 #include <rt/show_paths.hpp>
 #include <thread>
 
@@ -128,7 +129,7 @@ app::Picture draw_in_group(Job job, const SceneDescription& scene, const app::Se
     if (is_given(settings, "tint"))
         tint_edge(collector.image(), grid_of(job), collector.drawn_by());
     return {std::move(collector.image()), rays, [ranks = rank_count(MPI_COMM_WORLD)] {
-                return "Drawn by " + std::to_string(ranks) + (ranks == 1 ? " rank\n" : " ranks\n");
+                return "Drawn by " + rt::counted(ranks, "rank") + '\n';
             }};
 }
 

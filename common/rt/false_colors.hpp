@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <rt/counted.hpp>
 #include <rt/image.hpp>
 #include <rt/vec3_type.hpp>
 #include <string>
@@ -153,11 +154,11 @@ inline FalseColors false_colors(int width, int height, const std::vector<Shown>&
         std::sort(numbers.begin(), numbers.end());
         const auto end = std::unique(numbers.begin(), numbers.end());
         say("a color for each of " + what +
-            ", by its number: " + std::to_string(end - numbers.begin()) + " are seen");
+            ", by its number: " + std::to_string(end - numbers.begin()) +
+            (end - numbers.begin() == 1 ? " is seen" : " are seen"));
     }
     if (empty > 0) say("gray: nothing but sky");
-    if (invalid > 0)
-        say("black and white dots: NaN or infinity, in " + std::to_string(invalid) + " pixels");
+    if (invalid > 0) say("black and white dots: NaN or infinity, in " + counted(invalid, "pixel"));
     return made;
 }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <rt/counted.hpp>
 #include <rt/polygons.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -76,7 +77,7 @@ std::string checked(std::string_view bytes) {
                 (lines += ' ') += word;
             }
             if (is_polygon && (count < 3 || count > most_corners))
-                refuse(" has a polygon of " + std::to_string(count) + " corners, not 3 to " +
+                refuse(" has a polygon of " + counted(count, "corner") + ", not 3 to " +
                        std::to_string(most_corners));
             if (!is_polygon && count < (kind == "vt" ? 1 : 3)) refuse(" has too few numbers");
         }

@@ -3,6 +3,7 @@
 #include <companion/check/verdict_text.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
+#include <rt/counted.hpp>
 #include <sstream>
 
 namespace companion {
@@ -15,7 +16,7 @@ std::string padded(std::string text, std::size_t width) {
 }
 
 std::string cases(int count) {
-    return std::to_string(count) + (count == 1 ? " test case" : " test cases");
+    return rt::counted(count, "test case");
 }
 
 // "; 2 of 3 functions are written, next: normalize".
@@ -356,8 +357,9 @@ std::string float_lines(const std::vector<Checked>& all) {
         const auto more = std::count_if(open.begin(), open.end(),
                                         [](const OpenStar& star) { return star.in_float; });
         if (more > 0)
-            lines += "    " + checked.exercise.id + "  in float: " + std::to_string(more) +
-                     (more == 1 ? " more star is open\n" : " more stars are open\n");
+            lines += "    " + checked.exercise.id +
+                     "  in float: " + rt::counted(more, "more star") +
+                     (more == 1 ? " is open\n" : " are open\n");
     }
     return lines;
 }
@@ -393,7 +395,7 @@ std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool
 }
 
 std::string stars_open(int count) {
-    return std::to_string(count) + (count == 1 ? " star open" : " stars open");
+    return rt::counted(count, "star") + " open";
 }
 
 }  // namespace companion

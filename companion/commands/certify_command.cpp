@@ -20,6 +20,7 @@
 #include <companion/system/terminal.hpp>
 #include <cstdio>
 #include <ctime>
+#include <rt/counted.hpp>
 #include <set>
 #include <sstream>
 
@@ -167,7 +168,7 @@ class Examination {
         for (const std::string& warning : warnings) note(false, "", warning, "", "");
         if (!result.ok) note(false, "", first_error(course_, result.output), "", "compiles");
         note(result.ok && warnings.empty(), "", "builds with -O3 -Wall -Wextra -Wpedantic -Wshadow",
-             std::to_string(warnings.size()) + " warnings", "none");
+             rt::counted(warnings.size(), "warning"), "none");
     }
 
     // Runs the checkpoints under the address and undefined-behavior sanitizers.

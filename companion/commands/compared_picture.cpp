@@ -2,6 +2,7 @@
 #include <companion/commands/compared_picture.hpp>
 #include <companion/compare/program_pictures.hpp>
 #include <cstdio>
+#include <rt/counted.hpp>
 
 namespace companion {
 namespace {
@@ -29,8 +30,8 @@ std::vector<std::string> explained(const Course& course, const Chapter& chapter,
         if (!tried.insert(some).second) continue;
         std::fprintf(
             stderr,
-            "It differs. Drawing it again with the solution's code for %zu %s, to see why ...\n",
-            some.size(), some.size() == 1 ? "exercise" : "exercises");
+            "It differs. Drawing it again with the solution's code for %s, to see why ...\n",
+            rt::counted(some.size(), "exercise").c_str());
         put_yours_in_place_except(course, chapter, some);
         if (!compared(course, chapter).same) continue;
         std::vector<std::string> words{"It differs from the solution's, which is no mistake here:"};

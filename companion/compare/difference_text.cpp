@@ -3,6 +3,7 @@
 #include <companion/compare/difference_text.hpp>
 #include <cstdio>
 #include <map>
+#include <rt/counted.hpp>
 #include <set>
 
 namespace companion {
@@ -69,8 +70,8 @@ std::string cast(const Light& light) {
 std::string faint_difference(const Light& light) {
     char text[120];
     if (light.still_differing > 0)
-        std::snprintf(text, sizeof text, "%ld %s without noise %s, by up to %.0f of 255 steps",
-                      light.still_differing, light.still_differing == 1 ? "pixel" : "pixels",
+        std::snprintf(text, sizeof text, "%s without noise %s, by up to %.0f of 255 steps",
+                      rt::counted(light.still_differing, "pixel").c_str(),
                       light.still_differing == 1 ? "differs" : "differ", light.largest_step);
     else
         std::snprintf(text, sizeof text,
@@ -132,8 +133,7 @@ std::vector<std::string> describe_by_region(const std::vector<TileStatistics>& d
     if (words.size() > shown) {
         const auto more = words.size() - shown;
         words.resize(shown);
-        words.push_back("and in " + std::to_string(more) +
-                        (more == 1 ? " more region" : " more regions"));
+        words.push_back("and in " + rt::counted(more, "more region"));
     }
     return words;
 }

@@ -3,6 +3,7 @@
 #include <cctype>
 #include <charconv>
 #include <companion/compare/picture.hpp>
+#include <rt/counted.hpp>
 
 namespace companion {
 namespace {
@@ -52,8 +53,8 @@ Picture parse_ppm(const std::string& text) {
     if (kind == "P6") {
         const std::size_t start = reader.place() + 1;  // after one white space
         if (text.size() != start + size)
-            throw app::Failure("the .ppm file has " + std::to_string(text.size()) +
-                               " bytes; expected " + std::to_string(start + size));
+            throw app::Failure("the .ppm file has " + rt::counted(text.size(), "byte") +
+                               "; expected " + std::to_string(start + size));
         picture.bytes.assign(text.end() - static_cast<std::ptrdiff_t>(size), text.end());
     } else {
         // A number takes at least two characters. So a short file cannot claim to hold a large

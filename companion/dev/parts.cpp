@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <iterator>
 #include <regex>
+#include <rt/counted.hpp>
 #include <sstream>
 
 namespace companion {
@@ -110,8 +111,8 @@ void compare_stub(const Course& course, const Exercise& exercise, Lines& wrong) 
 
 void look_into_texts(const Course& course, const Exercise& exercise, Lines& wrong) {
     if (const std::size_t count = hints(course, exercise).size(); count != all_hints)
-        wrong.push_back(exercise.chapter.hints.generic_string() + " has " + std::to_string(count) +
-                        " hints below '## " + exercise.id +
+        wrong.push_back(exercise.chapter.hints.generic_string() + " has " +
+                        rt::counted(count, "hint") + " below '## " + exercise.id +
                         "': three are needed: the idea, the formula, and the shape of the code");
     const std::string text = read_text(course.root / exercise.chapter.text);
     const std::regex heading{"(^|\n)### " + exercise.id + " ([^\n]*)"};

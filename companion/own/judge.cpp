@@ -9,6 +9,7 @@
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 #include <optional>
+#include <rt/counted.hpp>
 
 namespace companion {
 namespace {
@@ -158,8 +159,7 @@ void look_at_refusal(const Result& result, JudgedLine& line) {
     const auto lines = std::count(result.output.begin(), result.output.end(), '\n');
     line.passed = result.exit_code > 0 && !result.timed_out && result.signal == 0 && lines == 1 &&
                   result.output.size() > 1;
-    line.actual = how_it_ended(result) + ", " + std::to_string(lines) +
-                  (lines == 1 ? " line" : " lines") +
+    line.actual = how_it_ended(result) + ", " + rt::counted(lines, "line") +
                   (lines == 1 ? ": " + printable(result.output, 300) : "");
     if (line.actual.back() == '\n') line.actual.pop_back();
 }

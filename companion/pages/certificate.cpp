@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <companion/pages/certificate.hpp>
 #include <companion/pages/html.hpp>
+#include <rt/counted.hpp>
 #include <sstream>
 
 namespace companion {
@@ -175,11 +176,11 @@ std::string grade_html(const Certificate& certificate) {
     if (certificate.passed())
         out << "Its author wrote every part of this ray tracer, and it meets every bound that was "
                "measured. <b>Grade: core"
-            << (open == 0 ? " and stars.</b>"
-                          : ".</b> The hard cases still have " + std::to_string(open) +
-                                (open == 1 ? " open line." : " open lines."));
+            << (open == 0
+                    ? " and stars.</b>"
+                    : ".</b> The hard cases still have " + rt::counted(open, "open line") + '.');
     else
-        out << "Not passed yet: " << fails << (fails == 1 ? " line" : " lines") << " of this table "
+        out << "Not passed yet: " << rt::counted(fails, "line") << " of this table "
             << (fails == 1 ? "fails." : "fail.");
     return out.str();
 }

@@ -4,6 +4,7 @@
 #include <companion/pages/measurements.hpp>
 #include <cstdlib>
 #include <fstream>
+#include <rt/counted.hpp>
 #include <study/csv.hpp>
 #include <utility>
 
@@ -27,8 +28,8 @@ Measurements read_measurements(const std::filesystem::path& table) {
     bool is_heading = true;
     for (const auto& line : study::read_csv(in)) {
         if (line.size() != 9)
-            throw app::Failure(table.string() + ": a line has " + std::to_string(line.size()) +
-                               " fields, not 9");
+            throw app::Failure(table.string() + ": a line has " +
+                               rt::counted(line.size(), "field") + ", not 9");
         if (!std::exchange(is_heading, false))
             rows.push_back(
                 {{line[0], line[1], to_number(line[3], table), line[4], to_number(line[5], table),

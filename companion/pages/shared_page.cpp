@@ -9,6 +9,7 @@
 #include <companion/system/files.hpp>
 #include <companion/system/platform.hpp>
 #include <ctime>
+#include <rt/counted.hpp>
 #include <set>
 #include <sstream>
 
@@ -87,10 +88,6 @@ std::string of(int some, int all) {
     return std::to_string(some) + " of " + std::to_string(all);
 }
 
-std::string counted(int count, const std::string& what) {
-    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
-}
-
 ChapterStanding sum_of(const std::vector<ChapterStanding>& chapters) {
     ChapterStanding sum;
     for (const ChapterStanding& one : chapters) {
@@ -115,7 +112,7 @@ std::string facts(const SharedPage& page, const ChapterStanding& all) {
                      of(page.own.passed, page.own.lines));
     if (page.time.first > 0 && page.time.unknown == 0)
         html += fact("from the first passed check to the last",
-                     counted(days_between(page.time.first, page.time.last), "day"));
+                     rt::counted(days_between(page.time.first, page.time.last), "day"));
     if (page.certificate && page.certificate->passed())
         html += fact("grade of the certificate",
                      page.certificate->passed_with_stars() ? "core and stars" : "core");
@@ -145,11 +142,11 @@ std::string how_long(const TimeTaken& time, bool finished) {
         std::string{"<h2>How long it "} + (finished ? "took" : "has taken so far") + "</h2>\n<p>";
     if (time.unknown > 0)
         return text + "This is not known: there is no record of when " +
-               counted(time.unknown, "answer") + " first passed.</p>\n";
+               rt::counted(time.unknown, "answer") + " first passed.</p>\n";
     const std::string first = date_of(time.first), last = date_of(time.last);
     if (first == last) return text + "Everything passed on one day, " + first + ".</p>\n";
     return text + "The first check passed on " + first + ", the last on " + last + ": " +
-           counted(days_between(time.first, time.last), "day") + ". Something new passed on " +
+           rt::counted(days_between(time.first, time.last), "day") + ". Something new passed on " +
            std::to_string(time.days) + " of them.</p>\n";
 }
 

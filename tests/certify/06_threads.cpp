@@ -2,6 +2,7 @@
 #include <app/cores.hpp>
 #include <chrono>
 #include <cstring>
+#include <rt/counted.hpp>
 #include <rt/image.hpp>
 #include <rt/render_slices.hpp>
 #include <rt/render_tiles.hpp>
@@ -92,8 +93,8 @@ void speed_up(Certificate& certificate) {
         const double alone = seconds(1);
         best = std::max(best, alone / seconds(threads));
     }
-    const std::string what = "speed-up of " + std::to_string(threads) + " threads on " +
-                             std::to_string(cores) + (cores == 1 ? " core" : " cores");
+    const std::string what =
+        "speed-up of " + rt::counted(threads, "thread") + " on " + rt::counted(cores, "core");
     if (threads == 1)  // there is nothing to gain
         certificate.shows("06.3", what.c_str(), best, "");
     else

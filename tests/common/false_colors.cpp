@@ -51,7 +51,7 @@ TEST_CASE("false colors are explained in words", "[false_colors]") {
           "  black is 1 or less, red the median, 2, white 4 or more: the distance\n"
           "  gray: nothing but sky\n");
     CHECK(rt::false_colors(1, 1, {7}, "the spheres").words ==
-          "  a color for each of the spheres, by its number: 1 are seen\n");
+          "  a color for each of the spheres, by its number: 1 is seen\n");
 }
 
 TEST_CASE("what is no number stands out and does not reach the image", "[false_colors]") {
@@ -63,4 +63,6 @@ TEST_CASE("what is no number stands out and does not reach the image", "[false_c
     CHECK(image.at(2, 0) == Color{});
     CHECK(image.at(3, 0) == Color{1, 1, 1});
     CHECK(words.find("black and white dots: NaN or infinity, in 3 pixels") != std::string::npos);
+    const std::string of_one = rt::false_colors(2, 1, {Real(1), nan}, "x").words;
+    CHECK(of_one.find("NaN or infinity, in 1 pixel\n") != std::string::npos);
 }

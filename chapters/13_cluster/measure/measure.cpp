@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <rt/counted.hpp>
 #include <rt/gather_rows.hpp>
 #include <rt/render_tiles.hpp>
 #include <rt/rng.hpp>
@@ -115,8 +116,8 @@ int main(int argc, char** argv) {
     const double real = real_seconds(tiles, 64);
     const auto simulated = cluster::simulate(tiles, 64 * 64, rank_count(all), costs);
     if (tells)
-        std::printf("%d ranks: %.3f s, simulated %.3f s; efficiency %.1f %%, simulated %.1f %%\n",
-                    rank_count(all), real, simulated.seconds,
+        std::printf("%s: %.3f s, simulated %.3f s; efficiency %.1f %%, simulated %.1f %%\n",
+                    counted(rank_count(all), "rank").c_str(), real, simulated.seconds,
                     100 * simulated.efficiency * simulated.seconds / real,
                     100 * simulated.efficiency);
 }

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <rt/counted.hpp>
 #include <thread>
 
 namespace companion {
@@ -82,7 +83,7 @@ std::string machine() {
     utsname system{};
     ::uname(&system);
     if (name.empty()) name = system.machine;
-    return name + ", " + std::to_string(std::thread::hardware_concurrency()) + " cores, " +
+    return name + ", " + rt::counted(std::thread::hardware_concurrency(), "core") + ", " +
            system.sysname;
 }
 

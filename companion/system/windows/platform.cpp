@@ -6,6 +6,7 @@
 #include <companion/system/windows/wide.hpp>
 #include <cstdlib>
 #include <cstring>
+#include <rt/counted.hpp>
 #include <system_error>
 #include <thread>
 
@@ -84,7 +85,7 @@ std::string machine() {
     std::string text = narrow(name);
     text.erase(text.find_last_not_of(' ') + 1);
     return (text.empty() ? "unknown processor" : text) + ", " +
-           std::to_string(std::thread::hardware_concurrency()) + " cores, Windows";
+           rt::counted(std::thread::hardware_concurrency(), "core") + ", Windows";
 }
 
 }  // namespace companion
