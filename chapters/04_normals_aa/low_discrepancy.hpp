@@ -43,10 +43,7 @@ constexpr std::uint32_t owen_scramble(std::uint32_t x, std::uint32_t seed) {
 class LowDiscrepancy {
   public:
     LowDiscrepancy(std::uint64_t seed, int x, int y, int sample)
-        : pixel_{rt::mix_bits(rt::mix_bits(seed) ^
-                              (std::uint64_t{static_cast<std::uint32_t>(y)} << 32 |
-                               static_cast<std::uint32_t>(x)))},
-          sample_{static_cast<std::uint32_t>(sample)} {}
+        : pixel_{rt::pixel_state(seed, x, y)}, sample_{static_cast<std::uint32_t>(sample)} {}
 
     rt::Real uniform() {
         if (dimension_ % 2 == 0) {

@@ -62,12 +62,18 @@ class Rng {
     std::uint64_t increment_;
 };
 
+// A number for each pixel and seed: those of different pixels have nothing in common, and two
+// pixels of a picture never have the same.
+constexpr std::uint64_t pixel_state(std::uint64_t seed, int x, int y) {
+    const auto pixel =
+        std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);
+    return mix_bits(mix_bits(seed) ^ pixel);
+}
+
 // The generator of one pixel. Its numbers depend on the seed and the pixel alone, never on which
 // thread asks for them or in what order. Different seeds and pixels give independent streams.
 constexpr Rng pixel_rng(std::uint64_t seed, int x, int y) {
-    const auto pixel =
-        std::uint64_t{static_cast<std::uint32_t>(y)} << 32 | static_cast<std::uint32_t>(x);
-    const std::uint64_t state = mix_bits(mix_bits(seed) ^ pixel);
+    const std::uint64_t state = pixel_state(seed, x, y);
     return {state, mix_bits(state)};
 }
 

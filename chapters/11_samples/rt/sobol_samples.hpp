@@ -30,9 +30,7 @@ class SobolRandom {
         std::uint64_t key;
         SobolCoordinates seeds{};
 
-        Pixel(std::uint64_t seed, int x, int y) {
-            const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
-            key = mix_bits(mix_bits(seed) ^ pixel);
+        Pixel(std::uint64_t seed, int x, int y) : key{pixel_state(seed, x, y)} {
             for (std::uint32_t number = 0; number < sobol_dimensions; ++number)
                 seeds[number] = high_half(mix_bits(key + number));
         }

@@ -9,9 +9,8 @@ namespace rt {
 // alone, never on which thread asks, when, or in which order. If any argument differs, the result
 // is another generator, whose draws are unrelated to this one's. x, y and sample are 0 or more.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
-    const auto pixel = static_cast<std::uint64_t>(y) << 32 | static_cast<std::uint64_t>(x);
     const std::uint64_t state =
-        mix_bits(mix_bits(mix_bits(seed) ^ pixel) ^ static_cast<std::uint64_t>(sample));
+        mix_bits(pixel_state(seed, x, y) ^ static_cast<std::uint64_t>(sample));
     return {state, mix_bits(state)};
 }
 
