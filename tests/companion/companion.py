@@ -1308,6 +1308,31 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                       ["own", "judge", "x", "--part", "y", "--seed", "7"]):
             self.assertRegex(self.course(*words, code=2), "there is no (chapter|part) ", words)
 
+    def test_in_every_language(self):
+        self.use_script()
+        self.write("one", "right\n")
+        whole = self.script("help")
+        self.script("check", "01.1")
+        (self.root / "locales").mkdir()
+        self.environment["LOCPATH"] = str(self.root / "locales")
+        # In Turkish and Azerbaijani, neither I nor i is between A and Z; the last is not UTF-8, either.
+        for language, letters in (("tr_TR", "UTF-8"), ("az_AZ", "UTF-8"), ("tr_TR", "ISO-8859-9")):
+            name = f"{language}.{letters}"
+            if shutil.which("localedef"):
+                subprocess.run(["localedef", "-i", language, "-f", letters, self.root / "locales" / name],
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            if not (self.root / "locales" / name).exists():
+                self.skipTest(f"there is no localedef, or it knows no {name}")
+            self.environment["LC_ALL"] = name
+            done = subprocess.run(["grep", "[A-Z]"], input=b"I", env=self.environment, stdout=subprocess.PIPE)
+            self.assertEqual(done.stdout, b"")
+            self.assertEqual(self.script("help"), whole, name)
+            self.assertTrue(self.script("test", "--help").startswith("  test "), name)
+            self.assertNotIn("onfiguring", self.script("check", "01.1"), name)
+            shutil.rmtree(self.root / "build")
+            self.assertIn("done", self.script("check", "01.1"), name)
+            self.assertNotIn("onfiguring", self.script("check", "01.1"), name)
+
     def test_a_damaged_build_folder_heals(self):
         self.use_script()
         self.write("one", "right\n")
