@@ -1333,6 +1333,31 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             self.assertIn("done", self.script("check", "01.1"), name)
             self.assertNotIn("onfiguring", self.script("check", "01.1"), name)
 
+    def use_cmake(self, *names):
+        """What these files of the course's folder cmake/ do is a part of CMakeLists.txt."""
+        for name in names:
+            with open(self.root / "CMakeLists.txt", "a") as cmake:
+                cmake.write(f"include(\"{Path(SCRIPT).parent}/cmake/{name}.cmake\")\n")
+
+    def test_a_file_of_the_future_is_built_once(self):
+        self.use_script()
+        self.use_cmake("Clock")
+        self.write("one", "right\n")
+        tomorrow = time.time() + 24 * 3600
+        self.put("companion/main.cpp", "")
+        for name in ("CMakeLists.txt", "companion/main.cpp"):
+            for is_new in (True, False):
+                if is_new:
+                    shutil.rmtree(self.root / "build")
+                os.utime(self.root / name, (tomorrow, tomorrow))
+                self.script("check", "01.1")
+                logs = [self.root / "build" / log for log in ("configure.log", "build.log")]
+                said = "".join(log.read_text() for log in logs if log.exists())
+                self.assertEqual(said.count("Configuring done"), 1, (name, said))
+                self.assertIn(f"given the current time: 1 files, such as {name}\n", said)
+                self.assertLess((self.root / name).stat().st_mtime, time.time())
+                self.assertNotIn("Building", self.script("check", "01.1"), name)
+
     def test_a_damaged_build_folder_heals(self):
         self.use_script()
         self.write("one", "right\n")
