@@ -1,4 +1,15 @@
 # How all code of the course is compiled: link to course_flags.
+
+# What real.hpp refuses is said now, and not by each file that is compiled.
+string(TOUPPER "CMAKE_CXX_FLAGS_${CMAKE_BUILD_TYPE}" of_type)
+separate_arguments(flags UNIX_COMMAND "${CMAKE_CXX_COMPILER_ARG1} ${CMAKE_CXX_FLAGS} ${${of_type}}")
+execute_process(COMMAND ${CMAKE_CXX_COMPILER} ${flags} -E -x c++ ${CMAKE_SOURCE_DIR}/common/rt/real.hpp
+                OUTPUT_QUIET ERROR_VARIABLE said)
+if(said MATCHES "the course cannot be compiled[^\n]*")
+  unset(CMAKE_CXX_FLAGS CACHE)  # otherwise they stay when CXXFLAGS has changed
+  message(FATAL_ERROR " course: ${CMAKE_MATCH_0}")
+endif()
+
 add_library(course_flags INTERFACE)
 target_compile_options(course_flags INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow

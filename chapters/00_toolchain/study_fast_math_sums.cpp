@@ -1,3 +1,4 @@
+#define RT_STUDIES_FAST_MATH
 #include "sums.hpp"
 
 #include "sums_body.hpp"

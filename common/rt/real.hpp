@@ -3,6 +3,12 @@
 #include <limits>
 #include <numbers>
 
+// With -ffast-math and its parts, the compiler assumes that no number is infinite or NaN, and
+// removes the tests that keep NaN out of images. One study shows what else -ffast-math does.
+#if (defined(__FAST_MATH__) || __FINITE_MATH_ONLY__) && !defined(RT_STUDIES_FAST_MATH)
+#error the course cannot be compiled with -ffast-math, -Ofast or -ffinite-math-only: take it out of CXXFLAGS
+#endif
+
 // The build may choose the precision: -DRT_REAL=float. The default is double.
 #ifndef RT_REAL
 #define RT_REAL double

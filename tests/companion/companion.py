@@ -1358,6 +1358,28 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                 self.assertLess((self.root / name).stat().st_mtime, time.time())
                 self.assertNotIn("Building", self.script("check", "01.1"), name)
 
+    def test_flags_that_lose_infinities_are_refused(self):
+        if not shutil.which("c++"):
+            self.skipTest("there is no compiler named c++")
+        self.use_script()
+        self.use_cmake("Flags")
+        cmake = (self.root / "CMakeLists.txt").read_text()
+        self.put("CMakeLists.txt", cmake.replace("project(tiny NONE)", "project(tiny CXX)"))
+        self.put("common/rt/real.hpp", (Path(SCRIPT).parent / "common/rt/real.hpp").read_text())
+        words = ("course: the course cannot be compiled with -ffast-math, -Ofast or -ffinite-math-only: "
+                 "take it out of CXXFLAGS\n")
+        for flag in ("-ffast-math", "-O2 -Ofast", "-ffinite-math-only"):
+            shutil.rmtree(self.root / "build")
+            self.environment["CXXFLAGS"] = flag
+            self.assertEqual(self.script("check", "01.1", code=1), words)
+        self.environment["CXXFLAGS"] = "-O2 -ffast-math -fno-fast-math"
+        self.assertIn("done", self.script("check", "01.1", code=3))
+        self.environment["COURSE_CMAKE_ARGS"] = "-DCMAKE_CXX_FLAGS=-ffast-math"
+        self.assertEqual(self.script("check", "01.1", code=1), words)
+        del self.environment["COURSE_CMAKE_ARGS"]
+        self.script("check", "01.1", code=3)
+        self.assertNotIn("CMAKE_CXX_FLAGS:STRING=-ffast", (self.root / "build/CMakeCache.txt").read_text())
+
     def test_a_damaged_build_folder_heals(self):
         self.use_script()
         self.write("one", "right\n")
