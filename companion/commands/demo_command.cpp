@@ -32,17 +32,28 @@ std::string render_scene(const Course& course, const Chapter& chapter) {
     return said;
 }
 
+// The program's options for a picture as large as that of the chapter's text. By itself, the
+// program draws a larger one, which takes longer.
+std::vector<std::string> size_in_text(const Course& course, const Chapter& chapter) {
+    constexpr int most_pixels = 1 << 22;
+    const fs::path shown = course.root / "docs/images" / chapter.picture();
+    if (!fs::exists(shown)) return {};
+    const rt::Image image = rt::decode_image(read_file(shown), most_pixels);
+    return {"--width", std::to_string(image.width()), "--height", std::to_string(image.height())};
+}
+
 // Renders a chapter's picture and returns what the program printed about it. Throws app::Failure.
 std::string render(const Course& course, const Chapter& chapter) {
     // Otherwise an older picture might be taken for the new one.
     fs::remove(course.out() / chapter.picture());
     if (!chapter.has_exercises()) return render_scene(course, chapter);
     // Runs in out/, so that the program prints the picture's name without a folder.
+    std::vector<std::string> command{course.program(chapter.name + "_solution").string(), "--out",
+                                     chapter.picture()};
+    const auto size = size_in_text(course, chapter);
+    command.insert(command.end(), size.begin(), size.end());
     const Result result =
-        run_process({.command = {course.program(chapter.name + "_solution").string(), "--out",
-                                 chapter.picture()},
-                     .folder = course.out(),
-                     .output = Output::errors_shown});
+        run_process({.command = command, .folder = course.out(), .output = Output::errors_shown});
     if (!result.ok()) throw app::Failure(how_it_ended(result));
     // "03_sphere.png: 960x540 pixels in 0.1 s, ..." without the name, and without the line's end
     const std::string start = chapter.picture() + ": ";

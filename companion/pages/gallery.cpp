@@ -32,7 +32,8 @@ constexpr const char* gallery_head = R"(<!doctype html>
   nav { display: flex; flex-wrap: wrap; gap: 4px 18px; margin: 1em 0 0; font-size: .95rem; }
   article { background: var(--card); border: 1px solid var(--line); border-radius: 10px;
             margin: 36px 0; overflow: hidden; }
-  article > a > img { display: block; width: 100%; height: auto; background: #000; }
+  article > a { display: block; background: #000; }
+  article > a > img { display: block; max-width: 100%; height: auto; margin: 0 auto; }
   .text { padding: 22px 26px 14px; }
   .made { color: var(--soft); font-size: .88rem; }
   .missing { color: var(--soft); font-style: italic; }

@@ -9,12 +9,14 @@ import re
 import select
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import termios
 import time
 import unittest
+import zlib
 from pathlib import Path
 
 COURSE, SCRIPT = sys.argv[1], sys.argv[2]
@@ -787,6 +789,17 @@ class Companion(unittest.TestCase):
         self.stub("one").unlink()
         self.course("reset", "01.1")
         self.assertEqual(self.stub("one").read_text(), STUB % (1, 1))
+
+    def test_the_demo_draws_pictures_as_large_as_in_the_texts(self):
+        def chunk(kind, data):
+            return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+
+        (self.root / "docs/images").mkdir()
+        (self.root / "docs/images/01_tiny.png").write_bytes(
+            b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", 3, 2, 8, 0, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(2 * b"\0abc")) + chunk(b"IEND", b""))
+        shutil.copy(self.root / "program.sh", self.root / "build/bin/01_tiny_solution")
+        self.assertIn("program --out 01_tiny.png --width 3 --height 2\n", self.course("demo"))
 
     def test_run_gives_another_scene_another_picture(self):
         self.put("scenes/moon.json", "{}")
