@@ -196,7 +196,7 @@ function(course_graft chapter)
   endif()
 endfunction()
 
-# course_label_electives(): all tests of this folder get the label `elective`, which ./course test leaves out.
+# course_label_electives(): all tests of this folder get the label `elective`: project_tests does not build them.
 function(course_label_electives)
   get_property(tests DIRECTORY PROPERTY TESTS)
   foreach(test ${tests})
@@ -209,7 +209,9 @@ endfunction()
 function(course_chapter chapter)
   if(chapter IN_LIST course_electives)
     set_property(DIRECTORY PROPERTY COURSE_ELECTIVE ON)
-    cmake_language(DEFER CALL course_label_electives)
+    if(NOT COURSE_ALL_TESTS)
+      cmake_language(DEFER CALL course_label_electives)
+    endif()
   endif()
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND EXISTS ${CMAKE_CURRENT_SOURCE_DIR}/study.cpp)
     # A study holds many loops, each of which is timed: g++ would stop inlining once the file has grown by

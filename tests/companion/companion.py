@@ -1393,6 +1393,38 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.script("check", "01.1", code=3)
         self.assertNotIn("CMAKE_CXX_FLAGS:STRING=-ffast", (self.root / "build/CMakeCache.txt").read_text())
 
+    def test_which_tests_there_are_is_chosen_each_time(self):
+        self.use_script()
+        with open(self.root / "CMakeLists.txt", "a") as cmake:
+            cmake.write("option(COURSE_ALL_TESTS \"\" OFF)\noption(COURSE_CHECK_STUBS \"\" OFF)\nenable_testing()\n"
+                        "add_test(NAME short COMMAND true)\nadd_test(NAME 02_more.small_picture COMMAND true)\n"
+                        "if(COURSE_ALL_TESTS)\n  add_test(NAME long.01.2 COMMAND true)\nendif()\n"
+                        "if(COURSE_CHECK_STUBS)\n  add_test(NAME shipped.01.1 COMMAND grep todo "
+                        "${CMAKE_SOURCE_DIR}/exercises/01_tiny/rt/one.hpp)\nendif()\n"
+                        "add_custom_target(project_tests)\nadd_custom_target(exercise.01.1)\n"
+                        "add_custom_target(chapter.01)\n")
+
+        def tested(*words, code=0):
+            said = self.script("test", *words, code=code)
+            return sorted(re.findall(r"Test +#\d+: (\S+)", said)), said
+
+        few, both = ["02_more.small_picture", "short"], ["02_more.small_picture", "long.01.2", "short"]
+        self.assertEqual(tested()[0], few)
+        self.assertEqual(tested("01.1")[0], ["shipped.01.1"])
+        self.write("one", "right\n")
+        self.assertEqual(tested("01.1", code=8)[0], ["shipped.01.1"])
+        self.assertEqual(tested()[0], few)
+        self.assertNotIn("onfiguring", tested()[1])
+        self.assertEqual(tested("01", code=8)[0], ["02_more.small_picture", "long.01.2", "shipped.01.1"])
+        self.assertEqual(tested("--all")[0], both)
+        self.environment["COURSE_CMAKE_ARGS"] = "-DCOURSE_CHECK_STUBS=ON"
+        self.assertEqual(tested("--all", code=8)[0], [*both[:2], "shipped.01.1", "short"])
+        del self.environment["COURSE_CMAKE_ARGS"]
+        self.assertNotIn("onfiguring", self.script("check", "01.1"))
+        (self.root / "build/CMakeCache.txt").write_text("COURSE_ALL_TESTS:BOOL=ON\nCOURSE_CHECK_STUBS:BOOL=OFF\n")
+        self.assertEqual(tested("--all")[0], both)
+        self.assertIn("there is no chapter '99'", tested("99", code=2)[1])
+
     def test_a_damaged_build_folder_heals(self):
         self.use_script()
         self.write("one", "right\n")
