@@ -17,10 +17,12 @@ function(course_mistake_tests chapter)
     course_linked_with(certify.${chapter}_solution ${course_libraries_of_programs})
     add_test(NAME mistakes.certify.${chapter} COMMAND mistake_tool certify ${chapter})
     set_tests_properties(mistakes.certify.${chapter} PROPERTIES LABELS mistakes TIMEOUT 300 PROCESSORS ${cores})
+    course_nightly(mistakes.certify.${chapter})
   endif()
   # What `course compare` says of some. For those who change it: `mistake_tool pictures` shows that it sees each
   # mistake that changes the picture.
   course_linked_with(${chapter}_solution ${course_libraries_linked_${chapter}} ${course_libraries_of_programs})
   add_test(NAME mistakes.compare.${chapter} COMMAND mistake_tool compare ${chapter})
   set_tests_properties(mistakes.compare.${chapter} PROPERTIES LABELS mistakes TIMEOUT 600 PROCESSORS ${cores})
+  course_nightly(mistakes.compare.${chapter})
 endfunction()

@@ -13,6 +13,11 @@ function(course_long_tests)
   endif()
 endfunction()
 
+# course_nightly(tests...): tests that a push need not pass: see .ci/run. They are run with all others each night.
+function(course_nightly)
+  set_property(TEST ${ARGN} APPEND PROPERTY LABELS nightly)
+endfunction()
+
 # course_float_programs(targets...): programs in float, which a build with sanitizers does without, too: it sanitizes
 # what checkpoints test, in both precisions.
 function(course_float_programs)
@@ -114,6 +119,7 @@ function(course_program_tests chapter)
       COMMAND ${chapter}_solution_float --quiet --width 192 --height 108
               --out ${CMAKE_BINARY_DIR}/${chapter}_float.png)
     set_tests_properties(${chapter}.float_program PROPERTIES LABELS solution TIMEOUT 600)
+    course_nightly(${chapter}.float_program)
   endif()
   # It is the picture that the text shows.
   add_test(NAME ${chapter}.image
@@ -124,6 +130,7 @@ function(course_program_tests chapter)
   add_test(NAME ${chapter}.compare
     COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
   set_tests_properties(${chapter}.image ${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
+  course_nightly(${chapter}.image ${chapter}.compare)
 endfunction()
 
 # course_certificate(chapter): what `course certify` measures of a chapter, on the solution, and on the learner's
@@ -148,6 +155,7 @@ function(course_certificate chapter)
     add_test(NAME certify.${chapter} COMMAND certify.${chapter}_solution --no-timing)
     set_tests_properties(certify.${chapter} PROPERTIES LABELS solution TIMEOUT 300
       FAIL_REGULAR_EXPRESSION "FAILS")
+    course_nightly(certify.${chapter})
   endif()
 endfunction()
 

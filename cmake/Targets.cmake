@@ -24,7 +24,7 @@ endforeach()
 foreach(chapter ${course_names})
   foreach(id ${course_ids_${chapter}})
     add_custom_target(exercise.${id} DEPENDS check.${id} check.${id}.float answer.${id} answer.${id}.float
-                                             yours.${id} mistake_tool companion_test)
+                                             yours.${id} yours.${id}.float mistake_tool companion_test)
     if(TARGET plain.${id})
       add_dependencies(exercise.${id} plain.${id})
     endif()
