@@ -167,9 +167,13 @@ void ask_clang_format(const Course& course, const Exercise& exercise, Lines& wro
             run_process({.command = {"clang-format", "--dry-run", "-Werror", file.generic_string()},
                          .folder = course.root});
         if (result.ok()) continue;
-        std::string place = result.output.substr(0, result.output.find(": "));
-        place.erase(std::min(place.rfind(':'), place.size()));  // the column
-        wrong.push_back(place + " is not formatted; run: clang-format -i " + file.generic_string());
+        const std::string name = file.generic_string(),
+                          said = result.output.substr(0, result.output.find('\n'));
+        std::smatch place;
+        if (std::regex_search(said, place, std::regex{"^.+?:[0-9]+(?=:[0-9]+: error: )"}))
+            wrong.push_back(place.str() + " is not formatted; run: clang-format -i " + name);
+        else
+            wrong.push_back("clang-format fails on " + name + ": " + said);
     }
 }
 
@@ -264,7 +268,7 @@ std::vector<std::string> wrong_when_run(const Course& course, const Exercise& ex
 std::vector<std::string> wrong_in_pictures(const Course& course, const Exercise& exercise) {
     const std::string python = cached(course, "COURSE_DEAD_ENDS");
     if (!exercise.chapter.core || python.empty()) return {};
-    std::fprintf(stderr, "Compiling the final scene, which takes a minute or two.\n");
+    std::fprintf(stderr, "Compiling the final scene, which takes a minute.\n");
     const BuildResult built = build(course, {"dead_ends"});
     if (!built.ok) {
         const std::string error = first_error(course, built.output);
