@@ -54,10 +54,11 @@ class Reader {
         if (const auto fog = whole.find("fog")) read_fog(*fog);
         if (const auto haze = whole.find("haze")) read_haze(*haze);
         if (const auto textures = whole.find("textures"))
-            for (const auto& [key, texture] : textures->members("textures by name"))
-                textures_.emplace(key, read_texture(texture));
-        for (const auto& [key, material] : whole.at("materials").members("materials by name"))
-            materials_.emplace(key, read_material(material));
+            for (const std::string& key : textures->keys("textures by name"))
+                textures_.emplace(key, read_texture(textures->at(key)));
+        const Value materials = whole.at("materials");
+        for (const std::string& key : materials.keys("materials by name"))
+            materials_.emplace(key, read_material(materials.at(key)));
         if (const auto spheres = whole.find("spheres"))
             for (const Value& sphere : spheres->list("spheres")) read_sphere(sphere);
         ends_.push_back(static_cast<int>(scene_.spheres.size()));

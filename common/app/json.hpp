@@ -16,7 +16,7 @@ namespace app {
 inline constexpr std::size_t max_json_bytes = 64 << 20;
 inline constexpr int max_json_depth = 16;
 // Of keys and values together. A scene of a million plain spheres has ten million, and a scene file
-// with whatever contents takes at most 1.6 GiB to read.
+// with whatever contents takes at most 1.4 GiB to read.
 inline constexpr std::size_t max_json_values = 12'000'000;
 
 // The value that a text holds. Throws UsageError if the text is not JSON (RFC 8259, so neither

@@ -112,12 +112,11 @@ Value Value::List::operator[](std::size_t index) const {
     return {whole_.file_, (*whole_.json_)[index], path_of_item(whole_.path_, index)};
 }
 
-std::vector<std::pair<std::string, Value>> Value::members(const std::string& of_what) const {
+std::vector<std::string> Value::keys(const std::string& of_what) const {
     if (!is_object()) refuse("an object { ... } of " + of_what);
-    std::vector<std::pair<std::string, Value>> values;
-    for (const auto& [key, value] : json_->items())
-        values.emplace_back(key, Value{file_, value, path_of_member(path_, key)});
-    return values;
+    std::vector<std::string> all;
+    for (const auto& [key, value] : json_->items()) all.push_back(key);
+    return all;
 }
 
 const Value& Value::with_keys(const std::vector<std::string>& known) const {

@@ -42,8 +42,8 @@ class Value {
     class List;
     List list(const std::string& of_what, std::size_t least = 0) const;
 
-    // The members of an object whose keys are names that people chose.
-    std::vector<std::pair<std::string, Value>> members(const std::string& of_what) const;
+    // The keys of an object that are names that people chose.
+    std::vector<std::string> keys(const std::string& of_what) const;
     // Returns this object. Throws UsageError if it has any other key than these.
     const Value& with_keys(const std::vector<std::string>& known) const;
     std::optional<Value> find(const std::string& key) const;  // none if it is absent

@@ -16,8 +16,8 @@ complain() {
 # refuses FILE WORDS: the line begins with the file, and contains WORDS.
 refuses() {
     echo 'an older picture' >old.png
-    for picture in old.png new.png; do
-        "$program" "$1" --quiet --width 9 --height 9 --out $picture >stdout 2>stderr
+    for picture in ${pictures:-old.png new.png}; do
+        "$program" "$1" --quiet --width 9 --height 9 --out "$picture" >stdout 2>stderr
         code=$?
         [ "$code" -eq 2 ] || complain "$1" "exit code $code, not 2"
         [ "$(wc -l <stderr)" -eq 1 ] || complain "$1" "not one line on stderr"
@@ -133,14 +133,13 @@ repeated() {
     yes "$3" | tr -d '\n' | head -c $((bytes - bytes % ${#3})) >>"$1"
     printf %s "$4" >>"$1"
 }
+pictures=new.png  # once is enough: such files take seconds to read
 repeated objects.json '[' '{},' '0]'
 refuses objects.json 'has too many keys and values; 12000000 are allowed'
 repeated deep.json '' '[' ''
 refuses deep.json 'is nested too deeply'
 repeated text.json '{"about": "' 'a' '"}'
 refuses text.json 'the scene needs "camera"'
-repeated digits.json '{"camera": ' '9' '}'
-refuses digits.json 'is too large; 1e308'
 
 [ "$failures" -eq 0 ] || echo "$failures complaints"
 [ "$failures" -eq 0 ]
