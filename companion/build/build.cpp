@@ -3,6 +3,7 @@
 #include <companion/build/build.hpp>
 #include <companion/build/missing_include.hpp>
 #include <companion/build/stale.hpp>
+#include <companion/build/turn.hpp>
 #include <companion/model/source.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/file_lock.hpp>
@@ -90,6 +91,11 @@ std::string with_relative_paths(const Course& course, std::string line) {
 }
 
 BuildResult build(const Course& course, const std::vector<std::string>& targets) {
+    const Turn turn{course};
+    return build_in_turn(course, targets);
+}
+
+BuildResult build_in_turn(const Course& course, const std::vector<std::string>& targets) {
     const FileLock lock{private_folder(course) / "build.lock"};
     const std::vector<std::string> cmake{"cmake", "--build", course.build.string(), "--target"};
     std::vector<std::string> command = cmake;

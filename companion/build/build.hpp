@@ -13,8 +13,12 @@ struct BuildResult {
 };
 
 // Builds targets in one run of the build tool; if one target fails, the others are still built.
-// Only one ./course builds at a time; any other waits. Nothing is printed.
+// Only one ./course builds at a time; any other waits. Nothing is printed, except on a terminal
+// that it waits for what is built ahead.
 BuildResult build(const Course& course, const std::vector<std::string>& targets);
+
+// The same for whoever has the turn.
+BuildResult build_in_turn(const Course& course, const std::vector<std::string>& targets);
 
 // The same for one target, without which the caller cannot go on. Throws app::Failure with the
 // first error.

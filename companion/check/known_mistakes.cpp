@@ -2,12 +2,17 @@
 #include <app/files.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
+#include <companion/check/likely.hpp>
 #include <companion/model/source.hpp>
+#include <companion/model/state.hpp>
+#include <companion/system/file_lock.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
+#include <mutex>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace companion {
 
@@ -40,6 +45,30 @@ Cases cases_of(const MistakenAnswer& answer) {
             .answer = answer.folder};
 }
 
+fs::path signatures_file(const Course& course, const Exercise& exercise) {
+    return course.build / "signatures" / (exercise.id + ".json");
+}
+
+// What is known so far.
+Signatures known_signatures(const Course& course, const Exercise& exercise,
+                            const std::string& version) {
+    const fs::path file = signatures_file(course, exercise);
+    if (!fs::exists(file)) return {};
+    const auto known = nlohmann::json::parse(read_file(file), nullptr, false);
+    if (!known.is_object() || known.value("version", "") != version) return {};
+    return known.at("mistakes").get<Signatures>();
+}
+
+// Makes a mistake in the folder that is its own.
+void make(const Course& course, const Exercise& exercise, const Remake& remake,
+          MistakenAnswer& answer) {
+    for (const auto& [name, text] : edited_files(course, exercise.chapter.name, answer.mistake)) {
+        app::make_folder((answer.folder / name).parent_path());
+        app::replace_file(answer.folder / name, text);
+    }
+    answer.build = remake(answer.folder, answer.folder / answer_file(course, exercise.id));
+}
+
 void keep_common(std::set<std::string>& kept, const std::set<std::string>& other) {
     std::erase_if(kept, [&](const std::string& hash) { return !other.count(hash); });
 }
@@ -56,22 +85,13 @@ std::vector<MistakenAnswer> make_mistakes(const Course& course, const Exercise& 
     }
     if (answers.empty()) return {};
     const Remake remake{course, "answer." + exercise.id};
-    const std::string file = answer_file(course, exercise.id);
-    in_parallel(answers.size(), [&](std::size_t i) {
-        MistakenAnswer& answer = answers[i];
-        for (const auto& [name, text] :
-             edited_files(course, exercise.chapter.name, answer.mistake)) {
-            app::make_folder((answer.folder / name).parent_path());
-            app::replace_file(answer.folder / name, text);
-        }
-        answer.build = remake(answer.folder, answer.folder / file);
-    });
+    in_parallel(answers.size(), [&](std::size_t i) { make(course, exercise, remake, answers[i]); });
     return answers;
 }
 
-WhatFails what_fails(const Course& course, const MistakenAnswer& answer) {
+WhatFails what_fails(const Course& course, const MistakenAnswer& answer, double patience) {
     Cases cases = cases_of(answer);
-    cases.timeout = course.patience / 2;  // some never end
+    cases.timeout = patience;  // some never end
     // A plain answer leaves the stars open, and a core that fails says nothing of them.
     if (answer.mistake.remarks.count("edits")) cases.part = Cases::Part::core;
     const Tested first = run_cases(course, cases);
@@ -106,56 +126,90 @@ bool is_caught(const Course& course, const MistakenAnswer& answer,
     return is_caught_in(run_cases(course, cases).tests);
 }
 
-Signatures signatures_of(const Course& course, const Exercise& exercise) {
-    const fs::path file = course.build / "signatures" / (exercise.id + ".json");
+void find_signatures(const Course& course, const Exercise& exercise,
+                     const std::vector<Mistake>& mistakes, double patience,
+                     const std::function<void(const Mistake&, const Signature&)>& found,
+                     const std::function<bool()>& is_over) {
+    if (mistakes.empty()) return;
     const std::string version = version_of(course, exercise);
-    if (fs::exists(file)) {
-        const auto known = nlohmann::json::parse(read_file(file), nullptr, false);
-        if (!known.is_discarded() && known.value("version", "") == version)
-            return known.at("mistakes").get<Signatures>();
-    }
-    const WaitingLine waiting{"comparing with known mistakes; the first time takes a while"};
-    const fs::path below = course.build / "mistakes";
-    const std::vector<MistakenAnswer> answers = make_mistakes(course, exercise, below);
-    std::vector<Signature> found(answers.size());
-    in_parallel(answers.size(), [&](std::size_t i) {
-        if (answers[i].build.ok) found[i] = what_fails(course, answers[i]).always;
+    const Remake remake{course, "answer." + exercise.id};
+    const FileLock one_at_a_time{private_folder(course) / "mistakes.lock"};
+    Signatures known = known_signatures(course, exercise, version);
+    std::mutex noting;
+    in_parallel(mistakes.size(), [&](std::size_t i) {
+        if (is_over()) return;
+        const Mistake& mistake = mistakes[i];
+        std::unique_lock lock{noting};
+        if (!known.count(mistake.name)) {  // nor has another process found it out meanwhile
+            lock.unlock();
+            MistakenAnswer answer{mistake, course.build / "mistakes" / mistake.name, {}};
+            make(course, exercise, remake, answer);
+            const Signature signature =
+                answer.build.ok ? what_fails(course, answer, patience).always : Signature{};
+            std::error_code held;  // by a virus scanner
+            fs::remove_all(answer.folder, held);
+            if (is_over()) return;  // it may have been ended early
+            lock.lock();
+            known[mistake.name] = signature;
+            const fs::path file = signatures_file(course, exercise);
+            app::make_folder(file.parent_path());
+            const nlohmann::json all{{"version", version}, {"mistakes", known}};
+            app::replace_file(file, all.dump() + '\n');
+        }
+        found(mistake, known[mistake.name]);
     });
-    Signatures signatures;
-    for (std::size_t i = 0; i < answers.size(); ++i) {
-        signatures[answers[i].mistake.name] = found[i];
-        std::error_code held;  // by a virus scanner
-        fs::remove_all(answers[i].folder, held);
-    }
-    app::make_folder(file.parent_path());
-    app::replace_file(file,
-                      nlohmann::json{{"version", version}, {"mistakes", signatures}}.dump() + '\n');
-    return signatures;
 }
 
-bool is_refuted(const Mistake& mistake, const std::vector<TestCase>& tests) {
-    std::vector<std::string> failed, passed;
-    for (const TestCase& test : tests) (test.passed ? passed : failed).push_back(test.name);
-    return is_refuted(mistake, failed, passed);
+std::vector<Mistake> mistakes_without_signature(const Course& course, const Exercise& exercise) {
+    const Signatures known = known_signatures(course, exercise, version_of(course, exercise));
+    std::vector<Mistake> all = mistakes_of(course, exercise);
+    std::erase_if(all, [&](const Mistake& mistake) { return known.count(mistake.name) > 0; });
+    return all;
 }
 
-LooksLike what_it_looks_like(const Course& course, const Exercise& exercise,
-                             const std::vector<TestCase>& tests) {
+void tell_what_it_looks_like(const Course& course, const Exercise& exercise,
+                             const std::vector<TestCase>& tests,
+                             const std::function<void(const Mistake&, Joins)>& tell,
+                             const std::function<bool()>& is_over) {
     const Signature signature = signature_of(tests);
-    if (signature.where.empty()) return {};
+    if (signature.where.empty()) return;
     std::string code;
     for (const fs::path& one : exercise.files) code += code_of(read_file(course.root / one));
-    LooksLike all;
-    for (const LookAlikes& names :
-         recognize(signatures_of(course, exercise), exercise.id, signature)) {
-        std::vector<Mistake> alike;
-        for (const std::string& name : names)
-            if (Mistake mistake = read_mistake(course, exercise.chapter, name);
-                may_be(mistake, code) && !is_refuted(mistake, tests))
-                alike.push_back(std::move(mistake));
-        if (!alike.empty()) all.push_back(std::move(alike));
+    const std::vector<Mistake> likely = likely_mistakes(mistakes_of(course, exercise), tests, code);
+    const Signatures before = known_signatures(course, exercise, version_of(course, exercise));
+    Signatures known;  // of the likely ones
+    std::set<std::string> told;
+    const auto tell_once = [&](const Mistake& mistake, Joins joins) {
+        if (told.insert(mistake.name).second)
+            tell(mistake, told.size() == 1 ? Joins::first : joins);
+    };
+    std::vector<Mistake> unknown;
+    for (const Mistake& mistake : likely)
+        if (const auto found = before.find(mistake.name); found == before.end())
+            unknown.push_back(mistake);
+        else if ((known[mistake.name] = found->second) == signature)
+            tell_once(mistake, Joins::as_or);
+    if (!unknown.empty()) {
+        const char* const what = "comparing with known mistakes; the first time takes a while";
+        std::optional<WaitingLine> waiting{what};
+        find_signatures(
+            course, exercise, unknown, course.patience / 2,
+            [&](const Mistake& mistake, const Signature& found) {
+                known[mistake.name] = found;
+                if (!(found == signature) || is_over()) return;
+                waiting.reset();
+                tell_once(mistake, Joins::as_or);
+                waiting.emplace(what);
+            },
+            is_over);
     }
-    return all;
+    if (is_over() || !told.empty()) return;
+    for (const LookAlikes& names : recognize(known, exercise.id, signature))
+        for (const std::string& name : names) {
+            const auto mistake = std::find_if(likely.begin(), likely.end(),
+                                              [&](const Mistake& one) { return one.name == name; });
+            tell_once(*mistake, &name == &names[0] ? Joins::as_and : Joins::as_or);
+        }
 }
 
 }  // namespace companion

@@ -262,19 +262,6 @@ std::string warned(const Checked& checked) {
                      in_plain_words(checked.warning);
 }
 
-std::string looks_like_text(const LooksLike& looks_like) {
-    std::string text;
-    for (const std::vector<Mistake>& alike : looks_like)
-        for (const Mistake& mistake : alike) {
-            const char* const start = text.empty()            ? "This looks like: "
-                                      : &mistake == &alike[0] ? "and like: "
-                                                              : "or like: ";
-            text += "\n  " + yellow(start + mistake.title) + '\n' +
-                    wrapped(mistake.explanation, "    ");
-        }
-    return text;
-}
-
 // What ended the program, and in which test case.
 std::string where(const std::vector<TestCase>& tests) {
     std::string name;
@@ -364,17 +351,29 @@ std::string float_lines(const std::vector<Checked>& all) {
     return lines;
 }
 
-std::string details(const Checked& checked, const LooksLike& looks_like) {
+std::string details(const Checked& checked) {
     const Exercise& exercise = checked.exercise;
     if (checked.is<NoFile>()) return what_is_wrong(checked);
     const std::string head =
         bold(exercise.id + ' ' + exercise.title) + ", " + exercise.file_list() + "\n";
-    if (checked.passed()) return head;
-    return head + what_is_wrong(checked) + looks_like_text(looks_like) + "\n  Read " +
-           exercise.section() + ". Stuck? ./course hint " + exercise.id + '\n';
+    return checked.passed() ? head : head + what_is_wrong(checked);
 }
 
-std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool all) {
+std::string looks_like(const Mistake& mistake, Joins joins) {
+    const char* const start = joins == Joins::first   ? "This looks like: "
+                              : joins == Joins::as_or ? "or like: "
+                                                      : "and like: ";
+    return "\n  " + yellow(start + mistake.title) + '\n' + wrapped(mistake.explanation, "    ");
+}
+
+std::string where_to_read(const Checked& checked) {
+    const Exercise& exercise = checked.exercise;
+    if (checked.is<NoFile>()) return "";
+    return "\n  Read " + exercise.section() + (checked.passed() ? ", now or later" : "") +
+           ". Stuck? ./course hint " + exercise.id + '\n';
+}
+
+std::string open_stars(const Checked& checked, bool all) {
     const Passed* const passed = checked.passed();
     if (!passed || passed->open_stars.empty()) return "";
     std::string text;
@@ -385,13 +384,14 @@ std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool
         text += describe_all(star.test);
         if (!all) break;
     }
-    text += warned(checked) + looks_like_text(looks_like);
-    const std::string& id = checked.exercise.id;
-    const auto left = static_cast<int>(passed->open_stars.size()) - 1;
-    if (!all && left > 0)
-        text += "\n  " + std::to_string(left) + " more: ./course check " + id + " --stars\n";
-    return text + "\n  Read " + checked.exercise.section() +
-           ", now or later. Stuck? ./course hint " + id + '\n';
+    return text + warned(checked);
+}
+
+std::string more_stars(const Checked& checked) {
+    const Passed* const passed = checked.passed();
+    if (!passed || passed->open_stars.size() < 2) return "";
+    return "\n  " + std::to_string(passed->open_stars.size() - 1) + " more: ./course check " +
+           checked.exercise.id + " --stars\n";
 }
 
 std::string stars_open(int count) {

@@ -13,13 +13,19 @@ std::string summary_line(const Checked& checked);
 // The lines for those exercises in which the check in float found something.
 std::string float_lines(const std::vector<Checked>& all);
 
-// What is wrong with an answer that does not pass: expected and actual values, the mistake that it
-// resembles, where to read. Several lines.
-std::string details(const Checked& checked, const LooksLike& looks_like);
+// What is wrong with an answer that does not pass: expected and actual values. Several lines.
+std::string details(const Checked& checked);
 
 // For an exercise whose core passes: its open stars, all of them or only the first, and the
 // compiler's warning. Empty if no star is open.
-std::string open_stars(const Checked& checked, const LooksLike& looks_like, bool all);
+std::string open_stars(const Checked& checked, bool all);
+
+// After these: the known mistakes that the answer resembles, each by itself.
+std::string looks_like(const Mistake& mistake, Joins joins);
+
+// Then how to see the other open stars, if there are any, and where to read.
+std::string more_stars(const Checked& checked);
+std::string where_to_read(const Checked& checked);
 
 // "2 stars open".
 std::string stars_open(int count);

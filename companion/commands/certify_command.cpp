@@ -3,6 +3,7 @@
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
 #include <companion/build/side_build.hpp>
+#include <companion/build/turn.hpp>
 #include <companion/check/passing_chapters.hpp>
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
@@ -284,6 +285,7 @@ class Examination {
 }  // namespace
 
 int certify(const Course& course, const Given&) {
+    const Turn turn{course};  // nothing else may disturb what is measured
     app::make_folder(course.out());
     const std::vector<Chapter> all = core_chapters(course);
     Examination examination{course};

@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <companion/build/turn.hpp>
 #include <companion/check/check.hpp>
+#include <companion/check/prepare.hpp>
 #include <companion/check/sanitized.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/commands/next_step.hpp>
+#include <companion/commands/shown_verdict.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
@@ -30,10 +33,6 @@ bool is_to_write(const Checked& checked) {
 }
 bool is_wrong(const Checked& checked) {
     return !checked.passed() && !is_to_write(checked);
-}
-
-LooksLike what_it_looks_like(const Course& course, const Checked& checked) {
-    return what_it_looks_like(course, checked.exercise, checked.tests());
 }
 
 // Those chapters of these exercises in which all exercises pass.
@@ -67,10 +66,7 @@ void print_chapters_done(const Course& course, const std::vector<Chapter>& done)
 void print_stars(const Course& course, const std::vector<Checked>& all, bool every_star) {
     for (const Checked& checked : all)
         if (checked.passed() && (every_star || all.size() == 1))
-            if (const std::string text =
-                    open_stars(checked, what_it_looks_like(course, checked), every_star);
-                !text.empty())
-                print('\n' + text);
+            print_open_stars(course, checked, every_star);
 }
 
 // Runs the checkpoints of one exercise under the sanitizers: the thread sanitizer or the others.
@@ -91,11 +87,8 @@ int check_sanitized(const Course& course, const Given& given) {
     return run.passed ? app::done : app::could_not;
 }
 
-}  // namespace
-
-int check(const Course& course, const Given& given) {
-    if (given.has("--sanitize")) return check_sanitized(course, given);
-    const std::vector<Exercise> some = chosen(course, given.named);
+int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool every_star) {
+    const Turn turn{course};
     std::vector<Checked> all = check_exercises(course, some);
     std::string chapter;
     for (const Checked& checked : all) {
@@ -121,10 +114,10 @@ int check(const Course& course, const Given& given) {
         return one.is<Waiting>() || (begun && !begun->hint.empty());
     };
     if (shown != all.end() && (wrong || says_why(*shown))) {
-        print('\n' + details(*shown, what_it_looks_like(course, *shown)));
+        print_details(course, *shown);
         return wrong ? app::could_not : app::still_to_write;
     }
-    print_stars(course, all, given.has("--stars"));
+    print_stars(course, all, every_star);
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
         print('\n' + (some.size() == 1 ? next_step(course, shown->exercise)
@@ -134,6 +127,16 @@ int check(const Course& course, const Given& given) {
     print('\n' +
           next_step(course, next_on_route(course, all.empty() ? "" : all.back().exercise.id)));
     return all.empty() ? app::still_to_write : app::done;
+}
+
+}  // namespace
+
+int check(const Course& course, const Given& given) {
+    if (given.has("--sanitize")) return check_sanitized(course, given);
+    const std::vector<Exercise> some = chosen(course, given.named);
+    const int code = check_and_tell(course, some, given.has("--stars"));
+    prepare_in_background(course, next_exercises(course, some.empty() ? "" : some.back().id));
+    return code;
 }
 
 }  // namespace companion

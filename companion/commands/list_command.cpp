@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <companion/check/prepare.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/commands/next_step.hpp>
@@ -135,6 +136,7 @@ int list(const Course& course, const Given&) {
         std::printf("Beyond the course: %d of %d exercises in electives\n", electives.done,
                     electives.exercises);
     std::printf("\n%s", next_step(course, next_on_route(course)).c_str());
+    prepare_in_background(course, next_exercises(course));
     return app::done;
 }
 

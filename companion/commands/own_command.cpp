@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/turn.hpp>
 #include <companion/commands/judged_lines.hpp>
 #include <companion/own/judge.hpp>
 #include <companion/own/standing.hpp>
@@ -43,6 +44,7 @@ int own_new(const Course& course, const Given& given) {
 }
 
 int own_judge(const Course& course, const Given& given) {
+    const Turn turn{course};  // nothing else may disturb what is measured
     const std::string &folder = *given.named, part = asked_part(given);
     const std::uint64_t seed = scenes_seed(given);
     print("Scenes of seed " + std::to_string(seed) +

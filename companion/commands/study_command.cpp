@@ -1,5 +1,6 @@
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/turn.hpp>
 #include <companion/check/yours.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/pages/studies.hpp>
@@ -25,6 +26,7 @@ int study_of_texts(const Course& course, const Given& given) {
 }  // namespace
 
 int study(const Course& course, const Given& given) {
+    const Turn turn{course};  // nothing else may disturb what is measured
     if (given.has("--docs")) return study_of_texts(course, given);
     const bool mine = given.has("--mine");
     std::vector<Chapter> chosen = chapters(course);

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/turn.hpp>
 #include <companion/check/yours.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/commands/judged_lines.hpp>
@@ -152,6 +153,7 @@ Chapter chosen(const Course& course, const Given& given) {
 }  // namespace
 
 int tracer(const Course& course, const Given& given) {
+    const Turn turn{course};  // nothing else may disturb what is measured
     if (given.has("--from")) return begin_from(course, given.options.at("--from"));
     begin_tracer(course);
     const Chapter chapter = chosen(course, given);

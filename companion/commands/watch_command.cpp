@@ -2,10 +2,13 @@
 #include <app/errors.hpp>
 #include <app/platform.hpp>
 #include <chrono>
+#include <companion/build/turn.hpp>
 #include <companion/check/check.hpp>
+#include <companion/check/prepare.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/commands/next_step.hpp>
+#include <companion/commands/shown_verdict.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/system/keyboard.hpp>
 #include <companion/system/platform.hpp>
@@ -128,9 +131,12 @@ class Watch {
     // Returns whether the current exercise passes.
     bool check_current() {
         if (on_terminal_) print("\033[2J\033[H");
+        if (preparing_.joinable()) preparing_.join();
+        std::optional<Turn> turn;
         std::vector<Checked> checked;
         std::string trouble;
         try {
+            turn.emplace(course_);
             const WaitingLine waiting{"checking " + all_[current_].id};
             checked = check_exercises(course_, {all_[current_]});
         } catch (const app::Failure& failure) {
@@ -144,15 +150,14 @@ class Watch {
         print(summary_line(checked[0]));
         check_in_float(course_, checked);
         print(float_lines(checked));
-        const LooksLike looks_like =
-            what_it_looks_like(course_, all_[current_], checked[0].tests());
+        const auto is_saved_again = [&] { return written(course_, all_) != seen_; };
+        const EndsRuns ends{is_saved_again};
         if (checked[0].passed()) {
-            if (const std::string star = open_stars(checked[0], looks_like, false); !star.empty())
-                print('\n' + star);
+            print_open_stars(course_, checked[0], false, is_saved_again);
             print_chapter_end();
             return true;
         }
-        print('\n' + details(checked[0], looks_like));
+        print_details(course_, checked[0], is_saved_again);
         print_keys();
         return false;
     }
@@ -215,9 +220,13 @@ class Watch {
         prepare();
     }
 
-    // Prepares the check of the current exercise in the background, while the learner reads and
-    // writes.
+    // Prepares the check of the current exercise, and of the one after it, in the background, while
+    // the learner reads and writes.
     void prepare() {
+        std::vector<Exercise> some{all_[current_]};
+        for (Exercise& next : next_exercises(course_, some[0].id))
+            if (next.id != some[0].id && some.size() < 2) some.push_back(std::move(next));
+        if (prepare_in_background(course_, some)) return;
         if (preparing_.joinable()) preparing_.join();
         preparing_ = std::thread{[this, exercise = all_[current_]] {
             try {

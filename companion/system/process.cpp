@@ -2,8 +2,25 @@
 #include <companion/system/process.hpp>
 #include <csignal>
 #include <sstream>
+#include <utility>
 
 namespace companion {
+
+namespace {
+std::function<bool()> runs_are_over;
+}
+
+EndsRuns::EndsRuns(std::function<bool()> is_over)
+    : before_{std::exchange(runs_are_over, std::move(is_over))} {}
+EndsRuns::~EndsRuns() {
+    runs_are_over = std::move(before_);
+}
+bool EndsRuns::exists() {
+    return runs_are_over != nullptr;
+}
+bool EndsRuns::is_over() {
+    return exists() && runs_are_over();
+}
 
 std::size_t memory_of_compiler() {
     constexpr std::size_t gigabyte = std::size_t{1} << 30;

@@ -2,6 +2,7 @@
 // Runs other programs.
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,22 @@ struct Result {
 // interrupted, the program ends, too, or the interruption is passed on to it. Several threads may
 // run programs at the same time. Throws std::system_error if the system allows no further process.
 Result run_process(const Run& run);
+
+// While one of these exists, each program that runs is asked to end, and soon after killed, once
+// `is_over` says that nobody needs it any longer. It is asked ten times a second, by any thread.
+class EndsRuns {
+  public:
+    explicit EndsRuns(std::function<bool()> is_over);
+    ~EndsRuns();
+    EndsRuns(const EndsRuns&) = delete;
+    EndsRuns& operator=(const EndsRuns&) = delete;
+
+    static bool is_over();  // false if there is none
+    static bool exists();
+
+  private:
+    std::function<bool()> before_;  // of the one that this one replaces meanwhile
+};
 
 // The most processor time in seconds, and the most memory in bytes, for a compiler, because code
 // can make it need any amount. The memory limit is half of the machine's memory, but at least 1 and

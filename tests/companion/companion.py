@@ -200,6 +200,8 @@ class Companion(unittest.TestCase):
         self.put_course(*facts)
 
     def tearDown(self):
+        if self.is_ahead():  # begun by a test on a terminal, which has closed
+            subprocess.run([COURSE, "prepare", "--end"], env=self.environment, check=False)
         self.folder.cleanup()
 
     def put(self, name, text):
@@ -1262,7 +1264,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("2 of 2", said)
         self.assertIn("no more hints", self.course("hint", "01.1"))
         self.assertEqual(sorted(path.name for path in (self.root / ".course").iterdir()),
-                         ["build.lock", "state.json", "state.lock"])
+                         ["build.lock", "state.json", "state.lock", "turn.lock"])
 
     # ---- the script ---------------------------------------------------------------------------
 
@@ -1505,6 +1507,242 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             self.assertEqual(done.returncode, 0, done.stdout)
             # ninja reads no dependency in such a folder.
             self.assertFalse((self.root / name / "build/build.ninja").exists(), name)
+
+    # ---- known mistakes ----------------------------------------------------------------------
+
+    def add_mistakes(self):
+        """Four mistakes of 01.1. The compiler notes each that it begins, and finishes when let()."""
+        self.put("solutions/01_tiny/rt/one.hpp", "int f() {\n    return 2;\n}\n")
+        text = "# Mistakes of 01.1\n"
+        for name, fails in (("unlike", "other"), ("twin", "wrong"), ("meant", "wrong"), ("passes", "passes")):
+            test = "01.1 another" if name == "passes" else "01.1 the answer is right"
+            text += (f"\n## 01.1_{name}\ntitle: the {name}\ncaught by: {test}\n\nIt is {name}.\n\n"
+                     f"```diff rt/one.hpp\n-    return 2;\n+    return {fails} + {name};\n```\n")
+        self.put("tests/mistakes/01_tiny/01.1.md", text)
+        self.put("build/compile_commands.json", json.dumps([
+            {"directory": str(self.root), "file": "answer.cpp",
+             "command": "./compiler.sh of/answer.01.1.dir/ -o x.o -c answer.cpp"}]))
+        self.put("build/link/answer.01.1.txt", "\n")
+        self.put("compiler.sh", """#!/bin/sh
+folder=${1#-I}
+for word in "$@"; do result=$word; done
+case $* in
+    *' -c '*) ;;
+    *)
+        cp "$result.answer.cpp.o" "$result"
+        exit
+        ;;
+esac
+name=${folder##*_}
+echo "$name" >>begun
+until [ -e "let-$name" ]; do sleep 0.02; done
+cp "$folder/rt/one.hpp" "$result"
+""")
+        os.chmod(self.root / "compiler.sh", 0o755)
+        # It judges the answer of the environment, or else the learner's.
+        self.put("check.sh", """#!/bin/sh
+[ ! -e "check/check.$1" ] || exit 0
+mkdir -p check
+cat >"check/check.$1" <<END
+#!/bin/sh
+answer=\\$COURSE_ANSWER/answer.01.1
+[ -e "\\$answer" ] || answer='$2'
+event() { printf '%s\\\\n' "\\$COURSE_EVENTS \\$*" >&3; }
+event '{"event":"cases","cases":[{"name":"01.1 the answer is right"},{"name":"01.1 another"}]}'
+event '{"event":"begins","name":"01.1 the answer is right"}'
+for word in wrong other; do
+    ! grep -q \\$word "\\$answer" || event '{"event":"failed","macro":"CHECK","expression":"'\\$word'",' \\
+        '"expanded":"3 == 2","messages":["expected 2, but yours gives 3"]}'
+done
+if grep -q 'wrong\\|other' "\\$answer"; then passed=false; else passed=true; fi
+event '{"event":"ends","passed":'\\$passed',"output":""}'
+event '{"event":"begins","name":"01.1 another"}'
+event '{"event":"ends","passed":true,"output":""}'
+[ \\$passed = true ]
+END
+chmod +x "check/check.$1"
+""")
+
+    def let(self, *names):
+        for name in names:
+            self.put(f"let-{name}", "")
+
+    def begun(self):
+        file = self.root / "begun"
+        return file.read_text().split() if file.exists() else []
+
+    def test_the_verdict_comes_before_the_likeliest_mistake_and_that_before_the_others(self):
+        self.add_mistakes()
+        self.write("one", "int f() {\n    return wrong + meant;\n}\n")
+        with Terminal([COURSE, "check", "01.1"], self.environment) as terminal:
+            terminal.expect("failing: 1 of 2 test cases")
+            terminal.expect("expected 2, but yours gives 3")
+            terminal.expect("comparing with known mistakes")
+            self.let("meant")
+            terminal.expect("This looks like: the meant")
+            terminal.expect("comparing with known mistakes")
+            self.let("twin", "unlike")
+            terminal.expect("or like: the twin")
+            terminal.expect("Read docs/01-tiny.md")
+            self.assertEqual(terminal.end(), 1)
+        self.assertIn("meant", self.begun()[:os.cpu_count()])  # that many are tried at a time
+        self.assertEqual(sorted(self.begun()), ["meant", "twin", "unlike"])  # what cannot be is not tried
+
+        # From now on they are known; and a pipe gets the same in the same order.
+        said = self.course("check", "01.1", code=1)
+        self.assertEqual(len(self.begun()), 3)
+        parts = ["failing: 1 of 2", "expected 2, but yours gives 3", "This looks like: the meant", "It is meant",
+                 "or like: the twin", "It is twin", "Read docs/01-tiny.md"]
+        self.assertEqual([said.count(part) for part in parts], [1] * len(parts), said)
+        self.assertEqual(sorted(said.index(part) for part in parts), [said.index(part) for part in parts])
+        self.assertNotIn("comparing", said)
+        self.assertFalse((self.root / "build/mistakes/01.1_meant").exists())
+
+    def test_a_save_ends_the_search_for_a_mistake(self):
+        self.add_mistakes()
+        self.write("one", "int f() {\n    return wrong;\n}\n")
+        with self.watched("01") as terminal:
+            terminal.expect("comparing with known mistakes")
+            self.write("one", "right\n")
+            terminal.expect("01.1 .*done", 5)
+            self.assertNotIn("like: ", terminal.said)
+        self.let("meant", "twin", "unlike")
+        self.write("one", "int f() {\n    return wrong;\n}\n")
+        said = self.course("check", "01.1", code=1)  # what was cut off has not been taken for a result
+        self.assertIn("This looks like: ", said)
+        self.assertIn("or like: ", said)
+
+    # ---- building ahead ----------------------------------------------------------------------
+
+    def build_ahead_slowly(self):
+        """Each target that can be built ahead notes that it begins, and ends when let()."""
+        self.put("slow.sh", """#!/bin/sh
+echo "$1 $$" >>"$2/begun"
+until [ -e "$2/let-$1" ]; do sleep 0.02; done
+""")
+        cmake = (self.root / "CMakeLists.txt").read_text()
+        for target in ("check_runtime", "check.01.1", "check.01.2"):
+            cmake = cmake.replace(f"add_custom_target({target})\n", "")
+            cmake += (f"add_custom_command(OUTPUT {target}.built COMMAND sh ${{CMAKE_SOURCE_DIR}}/slow.sh {target} "
+                      f"${{CMAKE_SOURCE_DIR}} COMMAND ${{CMAKE_COMMAND}} -E touch {target}.built VERBATIM)\n"
+                      f"add_custom_target({target} DEPENDS {target}.built)\n")
+        self.put("CMakeLists.txt", cmake)
+        self.configure()
+
+    def in_a_shell(self):
+        """A terminal in which ./course has run, and that stays open."""
+        return Terminal(["/bin/sh", "-c", f"'{COURSE}'; echo 'the prompt'; cat"], self.environment)
+
+    @staticmethod
+    def runs(process):
+        return subprocess.run(["ps", "-p", process], stdout=subprocess.DEVNULL, check=False).returncode == 0
+
+    def is_ahead(self):
+        return (self.root / "build/building-ahead").exists()
+
+    def test_what_checks_need_is_built_ahead_once(self):
+        self.build_ahead_slowly()
+        with self.in_a_shell() as shell:
+            shell.expect("the prompt")
+            self.wait_for(lambda: self.begun()[::2] == ["check_runtime"])
+            self.write("one", "right\n")
+            with Terminal([COURSE, "check", "01.1"], self.environment) as check:
+                check.expect("waiting for what all checks need")
+                self.let("check.01.1", "check.01.2")
+                time.sleep(0.3)
+                self.assertEqual(self.begun()[::2], ["check_runtime"])  # nobody builds beside it
+                self.let("check_runtime")
+                check.expect("01.1 .*done")
+                self.assertEqual(check.end(), 0)
+            self.wait_for(lambda: (self.root / "build/prepared").exists() and not self.is_ahead())
+            self.assertEqual(sorted(self.begun()[::2]), ["check.01.1", "check.01.2", "check_runtime"])
+        # All is there: it does not begin again.
+        (self.root / "build/check_runtime.built").unlink()
+        with self.in_a_shell() as shell:
+            shell.expect("the prompt")
+            time.sleep(0.5)
+            self.assertEqual(len(self.begun()[::2]), 3)
+
+    def test_building_ahead_ends_with_the_terminal_and_on_request(self):
+        self.build_ahead_slowly()
+
+        for way in ("closes", "ends", "asked"):
+            with self.subTest(way=way):
+                with self.in_a_shell() as shell:
+                    shell.expect("the prompt")
+                    (self.root / "begun").unlink(missing_ok=True)
+                    self.wait_for(lambda: len(self.begun()) == 2)
+                    self.assertTrue(self.is_ahead())
+                    process = self.begun()[1]
+                    if way == "asked":
+                        self.course("prepare", "--end")
+                        self.assertFalse(self.runs(process))
+                    elif way == "ends":
+                        shell.press("\x04")
+                        shell.end()
+                self.wait_for(lambda: not self.runs(process) and not self.is_ahead())
+                self.assertFalse((self.root / "build/prepared").exists())
+
+    def test_building_ahead_ends_on_request_while_it_waits_for_its_turn(self):
+        self.build_ahead_slowly()
+        self.put("patient.sh", 'echo x >"$1/started"\nuntil [ -e "$1/let-patient" ]; do sleep 0.02; done\n')
+        self.put("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text().replace(
+            "/check.sh 01.1 ", "/patient.sh ${CMAKE_SOURCE_DIR} COMMAND sh ${CMAKE_SOURCE_DIR}/check.sh 01.1 ", 1))
+        self.configure()
+        self.let("check_runtime", "check.01.1", "check.01.2")
+        self.write("one", "right\n")
+        process = subprocess.Popen([COURSE, "check", "01.1"], env=self.environment, stdout=subprocess.DEVNULL)
+        self.wait_for((self.root / "started").exists)
+        with self.in_a_shell() as shell:
+            shell.expect("the prompt")
+            self.wait_for(self.is_ahead)
+            self.course("prepare", "--end")
+            self.assertFalse(self.is_ahead())
+        self.let("patient")
+        self.assertEqual(process.wait(20), 0)
+        self.assertNotIn("check_runtime", self.begun())
+
+    def test_the_script_builds_nothing_beside_what_is_built_ahead(self):
+        self.use_script()
+        self.build_ahead_slowly()
+        self.script("list")
+        with Terminal(["/bin/sh", "-c", f"sh '{self.root}/course'; echo 'the prompt'; cat"], self.environment) as shell:
+            shell.expect("the prompt")
+            self.wait_for(lambda: len(self.begun()) == 2)
+            process = self.begun()[1]
+            self.put("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text())  # the companion is built again
+            self.assertIn("Building: done", self.script("list"))
+            self.assertFalse(self.runs(process))
+            self.assertFalse(self.is_ahead())
+
+    def test_nothing_is_built_ahead_without_a_terminal_unless_asked(self):
+        self.build_ahead_slowly()
+        self.let("check_runtime", "check.01.1", "check.01.2")
+        self.course("list")
+        time.sleep(0.5)
+        self.assertEqual(self.begun(), [])
+        self.assertFalse(self.is_ahead())
+        said = self.course("prepare")
+        self.assertEqual(said, "Building what all checks need.\nBuilding the test cases of 01.1.\n"
+                               "Building the test cases of 01.2.\n")
+        self.assertEqual(self.begun()[::2], ["check_runtime", "check.01.1", "check.01.2"])
+        self.assertFalse(self.is_ahead())
+
+    def test_what_cannot_be_built_ahead_is_tried_once_and_said_when_asked(self):
+        self.put("fails.sh", 'echo x >>"$1/begun"\nexit 1\n')
+        self.put("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text() +
+                 "add_custom_target(check_runtime COMMAND sh ${CMAKE_SOURCE_DIR}/fails.sh ${CMAKE_SOURCE_DIR} VERBATIM)\n")
+        self.configure()
+        for _ in range(2):
+            with self.in_a_shell() as shell:
+                shell.expect("the prompt")
+                self.wait_for(lambda: (self.root / "build/prepared").exists() and not self.is_ahead())
+                time.sleep(0.3)
+                self.assertEqual(self.begun(), ["x"])
+        done = subprocess.run([COURSE, "prepare"], env=self.environment, text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("check_runtime cannot be built", done.stderr)
 
     # ---- watch -------------------------------------------------------------------------------
 

@@ -18,6 +18,7 @@
 #include <app/files.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
+#include <companion/check/likely.hpp>
 #include <companion/check/sanitized.hpp>
 #include <companion/model/source.hpp>
 #include <companion/system/files.hpp>
@@ -61,7 +62,11 @@ int report(const std::string& what, const std::vector<MistakenAnswer>& answers,
 }
 
 // Whether a mistake is recognized by what fails in it, as itself or as one that looks the same.
-Outcome recognition(const Mistake& mistake, const Signatures& known, const WhatFails& fails) {
+// `likely` are those that `check` tries.
+Outcome recognition(const Mistake& mistake, const Signatures& all,
+                    const std::vector<Mistake>& likely, const WhatFails& fails) {
+    Signatures known;
+    for (const Mistake& one : likely) known[one.name] = all.at(one.name);
     const auto found =
         recognize(known, mistake.name.substr(0, mistake.name.find('_')), signature_of(fails.tests));
     if (found.size() == 1 &&
@@ -74,9 +79,8 @@ Outcome recognition(const Mistake& mistake, const Signatures& known, const WhatF
     return fails.by_chance ? Outcome{taken + ", as it fails by chance", ""} : Outcome{"", taken};
 }
 
-// Why `check` would not name this mistake, though it is the one that was made; or empty.
-std::string no_guess(const Exercise& exercise, const MistakenAnswer& answer,
-                     const WhatFails& fails) {
+// The code of the answer that contains the mistake, without comments.
+std::string code_of_answer(const Exercise& exercise, const MistakenAnswer& answer) {
     const fs::path solution = course.root / "solutions" / exercise.chapter.name;
     std::string code;
     for (const fs::path& file : exercise.files) {
@@ -85,10 +89,28 @@ std::string no_guess(const Exercise& exercise, const MistakenAnswer& answer,
         const bool is_edited = fs::exists(answer.folder / name);
         code += code_of(read_file((is_edited ? answer.folder : solution) / name));
     }
+    return code;
+}
+
+// Why `check` would not name this mistake, though it is the one that was made; or empty.
+std::string no_guess(const std::string& code, const MistakenAnswer& answer,
+                     const WhatFails& fails) {
     if (!may_be(answer.mistake, code)) return "its own code lacks what it needs to be a guess";
     if (!fails.by_chance && is_refuted(answer.mistake, fails.tests))
         return "what fails in it speaks against it";
     return "";
+}
+
+// ", named by try 2 of 5": which of the mistakes that `check` tries on this answer is the first in
+// which the same fails.
+std::string tries(const std::vector<Mistake>& likely, const Signatures& known,
+                  const WhatFails& fails) {
+    const auto right = std::find_if(likely.begin(), likely.end(), [&](const Mistake& mistake) {
+        return known.at(mistake.name) == fails.always;
+    });
+    if (right == likely.end()) return "";
+    return ", named by try " + std::to_string(right - likely.begin() + 1) + " of " +
+           std::to_string(likely.size());
 }
 
 int check(const std::string& id) {
@@ -97,21 +119,26 @@ int check(const std::string& id) {
     Signatures known;
     std::vector<WhatFails> fails(answers.size());
     in_parallel(answers.size(), [&](std::size_t i) {
-        if (answers[i].build.ok) fails[i] = what_fails(course, answers[i]);
+        if (answers[i].build.ok) fails[i] = what_fails(course, answers[i], course.patience / 2);
     });
     for (std::size_t i = 0; i < answers.size(); ++i)
         known[answers[i].mistake.name] = fails[i].always;
+    std::vector<Mistake> all;
+    for (const MistakenAnswer& answer : answers) all.push_back(answer.mistake);
     std::vector<Outcome> outcomes(answers.size());
     in_parallel(answers.size(), [&](std::size_t i) {
         const Mistake& mistake = answers[i].mistake;
         Outcome& outcome = outcomes[i];
+        const std::string code = code_of_answer(exercise, answers[i]);
+        const std::vector<Mistake> likely = likely_mistakes(all, fails[i].tests, code);
         if (!answers[i].build.ok)
             outcome.wrong = "does not compile:\n" + first_error(course, answers[i].build.output);
         else if (!is_caught(course, answers[i], fails[i].tests))
             outcome.wrong = "NOT CAUGHT by '" + mistake.caught_by + '\'';
         else
-            outcome = recognition(mistake, known, fails[i]);
-        if (outcome.wrong.empty()) outcome.wrong = no_guess(exercise, answers[i], fails[i]);
+            outcome = recognition(mistake, known, likely, fails[i]);
+        if (outcome.wrong.empty()) outcome.wrong = no_guess(code, answers[i], fails[i]);
+        outcome.words += tries(likely, known, fails[i]);
     });
     for (const MistakenAnswer& answer : answers) fs::remove_all(answer.folder);
     return report(id, answers, outcomes);

@@ -108,6 +108,16 @@ void limit(int what, rlim_t most) {
     // The program gets a group and a session of its own: so it can be ended together with its whole
     // group, and cannot open the terminal.
     ::setsid();
+#ifdef __linux__
+    // Linux may weigh sessions against each other, whatever the priority of their processes.
+    if (const int nice = ::getpriority(PRIO_PROCESS, 0); nice > 0)
+        if (const int file = ::open("/proc/self/autogroup", O_WRONLY); file >= 0) {
+            const char digits[]{static_cast<char>('0' + nice / 10),
+                                static_cast<char>('0' + nice % 10)};
+            if (::write(file, digits, sizeof digits) < 0) errno = 0;  // it only takes more time
+            ::close(file);
+        }
+#endif
     const int nothing = ::open("/dev/null", O_RDONLY);
     if (nothing >= 0) ::dup2(nothing, STDIN_FILENO);
     if (start.out >= 0) ::dup2(start.out, STDOUT_FILENO);
@@ -236,15 +246,19 @@ class Child {
         while (!is_over_) {
             const double left = timeout > 0 ? timeout - seconds() : 1;
             result.timed_out = left <= 0;
+            const bool ends = result.timed_out || EndsRuns::is_over();
             result.too_much =
                 most_output > 0 && result.output.size() + result.events.size() > most_output;
-            if (result.timed_out) end_politely(result);
-            if (result.timed_out || result.too_much) {
+            if (ends) end_politely(result);
+            if (ends || result.too_much) {
                 ::shutdown(pipes_[0], SHUT_WR);
                 while (!is_over_) read_for(-1, result, most_output);
                 break;
             }
-            read_for(timeout > 0 ? static_cast<int>(std::min(1000 * left + 1, 1e6)) : -1, result);
+            const int wait = timeout > 0 ? static_cast<int>(std::min(1000 * left + 1, 1e6)) : -1;
+            constexpr int until_asked = 100;  // milliseconds
+            read_for(EndsRuns::exists() && (wait < 0 || wait > until_asked) ? until_asked : wait,
+                     result);
         }
         while (read_for(0, result)) {
         }  // reads what is still in the pipes

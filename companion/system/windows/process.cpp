@@ -435,7 +435,9 @@ class Child {
     Result wait() {
         Result result;
         const bool is_watched = run_.most_output > 0 || run_.most_cpu > 0 || !run_.may_start_others;
-        const double until_look = is_watched ? 20 : 1000;  // milliseconds
+        const double until_look = is_watched           ? 20
+                                  : EndsRuns::exists() ? 100
+                                                       : 1000;  // milliseconds
         double left = until_look;
         do {
             if (run_.timeout > 0) left = 1000 * (run_.timeout - seconds());
@@ -473,8 +475,9 @@ class Child {
         result.too_much =
             run_.most_output > 0 && output_.size() + events_.size() > run_.most_output;
         if (run_.most_cpu > 0 && cpu_seconds() > run_.most_cpu) result.signal = too_much_time;
-        if (result.timed_out && ask_to_end(::GetProcessId(process_.get()))) has_ended(500);
-        return result.timed_out || result.too_much || result.signal != 0 || started_other();
+        const bool ends = result.timed_out || EndsRuns::is_over();
+        if (ends && ask_to_end(::GetProcessId(process_.get()))) has_ended(500);
+        return ends || result.too_much || result.signal != 0 || started_other();
     }
 
     Handle process_;

@@ -1,4 +1,5 @@
 #include <chrono>
+#include <companion/system/file_lock.hpp>
 #include <companion/system/process.hpp>
 #include <csignal>
 #include <thread>
@@ -109,6 +110,44 @@ TEST_CASE("a process that may not start another is ended where it does", "[proce
     }
 }
 #endif
+
+TEST_CASE("a process is ended when nobody needs it any longer", "[process]") {
+    const auto start = std::chrono::steady_clock::now();
+    const auto seconds = [&] {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    };
+    {
+        const companion::EndsRuns ends{[&] { return seconds() > 0.3; }};
+        // It may still tidy up.
+        const auto ended = run_process(
+            {.command = {"sh", "-c", "trap 'echo tidied; exit 3' TERM; sleep 30 & wait"}});
+        CHECK_FALSE(ended.ok());
+        CHECK(ended.output == "tidied\n");
+        CHECK(seconds() >= 0.3);
+        CHECK(seconds() < 10);
+        const companion::EndsRuns never{[] { return false; }};
+        CHECK(run_process({.command = {"true"}}).ok());
+    }
+    CHECK_FALSE(companion::EndsRuns::exists());
+    CHECK(run_process({.command = {"sleep", "0.3"}}).ok());
+}
+
+TEST_CASE("a lock is held alone or shared", "[process]") {
+    using companion::FileLock, companion::Hold;
+    const TemporaryFolder folder;
+    const auto is_free = [&](Hold hold) {
+        return FileLock{folder.path() / "lock", hold, [] { return false; }}.is_held();
+    };
+    CHECK(is_free(Hold::alone));
+    {
+        const FileLock lock{folder.path() / "lock", Hold::shared};
+        CHECK(is_free(Hold::shared));
+        CHECK_FALSE(is_free(Hold::alone));
+    }
+    const FileLock lock{folder.path() / "lock"};
+    CHECK_FALSE(is_free(Hold::shared));
+    CHECK_FALSE(is_free(Hold::alone));
+}
 
 TEST_CASE("a process has limits of time and files", "[process]") {
     const TemporaryFolder folder;
