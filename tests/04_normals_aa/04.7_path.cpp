@@ -85,10 +85,11 @@ std::string text(Color c) {
            checkpoint::text(c.b) + ')';
 }
 
-// Equal but for the rounding of the products along a path.
+// Equal but for the rounding of the products along a path: at most 50 factors, multiplied in any
+// order, and each product is rounded by half an epsilon on either side.
 bool is_near(Color a, Color b) {
     const auto near = [](Real x, Real y) {
-        return std::abs(x - y) <= 1000 * rt::epsilon * std::abs(y);
+        return std::abs(x - y) <= 64 * rt::epsilon * std::abs(y);
     };
     return near(a.r, b.r) && near(a.g, b.g) && near(a.b, b.b);
 }

@@ -61,7 +61,7 @@ inline void check_mean(const Mean& mean, double expected) {
                  << mean.standard_error());
     // If every sample is the same, only rounding is left.
     CHECK(std::abs(mean.mean() - expected) <=
-          limit * mean.standard_error() + 1000 * static_cast<double>(rt::epsilon) * expected);
+          limit * mean.standard_error() + 64 * static_cast<double>(rt::epsilon) * expected);
 }
 
 inline void check_same(const Mean& a, const Mean& b) {

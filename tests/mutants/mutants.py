@@ -14,6 +14,9 @@ All mutants of an exercise are compiled into one answer; the environment variabl
 A mutant that does not compile in this form is left out. A mutant that cannot be chosen while the program
 runs, such as a parameter by value instead of by reference, is compiled alone.
 
+Values are tried 2 % too large, and 1000 epsilon off. A test case that notices the former in one of them, but
+the latter in none, allows too much, or is listed in NN.k.txt as "NN.k what holds  |  1000 epsilon".
+
 Needs python3 with libclang (package python3-clang) and a configured build folder.
 """
 
@@ -21,6 +24,7 @@ import argparse
 import collections
 import concurrent.futures
 import contextlib
+import html
 import json
 import math
 import os
@@ -65,6 +69,12 @@ SWAPPED_FUNCTIONS = {
 CASTS = {Kind.UNEXPOSED_EXPR, Kind.CXX_FUNCTIONAL_CAST_EXPR, Kind.PAREN_EXPR}
 REALS = {"double", "float", "long double"}
 WIDE_INTEGERS = {"unsigned long", "long", "unsigned long long", "long long"}
+MEASURED = re.compile(r"(long )?double|float|rt::(Vec2|Vec3|Vec3Of<.*>|Color)|<dependent type>"
+                      r"|.*vector_size.* (double|float)")
+# A bound on an error may be a little larger; a number has its own mutants.
+NOT_MEASURED = re.compile(r"rounding_bound|margin|point_error|^-?[\d.]+$")
+TOO_LARGE, SLIGHTLY_OFF = " * rt::Real(1.02)", "slightly_off("
+TOLERANT = "  |  1000 epsilon"  # ends the key of a test case
 
 
 class Mutant:
@@ -80,10 +90,11 @@ class Mutant:
 class Maker:
     """Walks the syntax tree of one solution file and collects its mutants."""
 
-    def __init__(self, path, arguments, given):
+    def __init__(self, path, arguments, given, draws=False):
         self.path = str(path)
         self.source = path.read_bytes()
         self.given = given  # functions that the stub gives: they are not the learner's
+        self.draws = draws  # a picture, which has 256 levels
         self.mutants = []
         self.seen = set()
         self.no_sign = set()  # -x == 0 says what x == 0 says
@@ -149,8 +160,10 @@ class Maker:
             handler(cursor, children)
         if kind == Kind.DECL_REF_EXPR:
             self.variable(cursor, scope)
-        if kind == Kind.VAR_DECL and children and children[-1].kind.is_expression():
+        if kind == Kind.VAR_DECL and children and children[-1].kind.is_expression() and (
+                self.text(children[-1]) != ":"):  # as in a loop over a range
             self.value(children[-1])
+            self.slightly_off(children[-1])
         for child in children:
             self.visit(child, scope)
             if child.kind == Kind.DECL_STMT:
@@ -173,9 +186,27 @@ class Maker:
         text, type_name = self.text(cursor), self.type(cursor)
         if type_name in REALS:
             self.add(cursor, f"static_cast<std::decay_t<decltype({text})>>(static_cast<float>({text}))")
-            self.add(cursor, f"({text}) * rt::Real(1.02)")
+            self.add(cursor, f"({text}){TOO_LARGE}")
         elif type_name in WIDE_INTEGERS:
             self.add(cursor, f"static_cast<std::decay_t<decltype({text})>>(static_cast<std::uint32_t>({text}))")
+
+    # A value: 1000 epsilon off, but not all components alike, since a vector that will be normalized may have any length.
+    def slightly_off(self, cursor):
+        while True:
+            parts = [part for part in cursor.get_children() if part.kind not in (Kind.TYPE_REF, Kind.NAMESPACE_REF)]
+            if len(parts) != 1 or not (cursor.kind in CASTS or parts[0].kind == Kind.INIT_LIST_EXPR
+                                       or self.text(cursor) == self.text(parts[0])):
+                break
+            cursor = parts[0]
+        text = self.text(cursor)
+        is_unwritten = cursor.kind == Kind.CALL_EXPR and not parts  # the constructor of a variable
+        is_named = cursor.kind == Kind.DECL_REF_EXPR and cursor.referenced.kind == Kind.VAR_DECL  # off already there
+        if cursor.kind == Kind.INIT_LIST_EXPR:
+            for part in parts:
+                self.slightly_off(part)
+        elif MEASURED.fullmatch(self.type(cursor)) and not (
+                self.draws or is_unwritten or is_named or NOT_MEASURED.search(text)):
+            self.add(cursor, f"{SLIGHTLY_OFF}{text})")
 
     @staticmethod
     def type(cursor):
@@ -196,6 +227,8 @@ class Maker:
             self.assigned.add((left.extent.start.offset, left.extent.end.offset))
         for other in SWAPPED_OPERATORS.get(token, []):
             self.add(cursor, f"{a} {other} {b}")
+        if token == "=":
+            self.slightly_off(right)
         if token in ARITHMETIC:
             self.add(cursor, a)
             if token != "/":
@@ -326,11 +359,12 @@ class Maker:
         if children and children[0].kind.is_expression():
             value = children[0]
             self.value(value)
+            self.slightly_off(value)
             if self.type(value) == "bool":
                 self.add(value, "true")
                 self.add(value, "false")
             if self.type(value) in ("rt::Vec3", "rt::Color"):
-                self.add(value, f"({self.text(value)}) * rt::Real(1.02)")
+                self.add(value, f"({self.text(value)}){TOO_LARGE}")
                 self.add(value, f"-({self.text(value)})")
 
     def member(self, cursor, children):
@@ -442,10 +476,18 @@ def name_mutants(source, mutants):
 PRELUDE = """#pragma once
 #include <cstdint>
 #include <cstdlib>
+#include <concepts>
 #include <iterator>
 #include <type_traits>
 #include <rt/real.hpp>
 inline const int rt_mutant = std::getenv("RT_MUTANT") ? std::atoi(std::getenv("RT_MUTANT")) : 0;
+template <class T> requires(!std::integral<T>) T slightly_off(T value, int epsilons = 1000) {
+    if constexpr (requires { value.z; }) value.z = slightly_off(value.z, -epsilons);
+    if constexpr (requires { value.x; }) value.x = slightly_off(value.x, epsilons);
+    else if constexpr (requires { value.r; }) value.r = slightly_off(value.r, epsilons);
+    else return value * (1 + epsilons * rt::epsilon);
+    return value;
+}
 """
 
 
@@ -491,8 +533,8 @@ class Answer:
         self.checkpoint = build / "check" / f"check.{suffix}"
         self.place = folder / precision
         self.place.mkdir(parents=True, exist_ok=True)
-        is_library = any(f.name == "answer.cpp" for f in map(pathlib.Path, (c["file"] for c in self.compiles)))
-        self.result = self.place / (f"libanswer.{exercise}.so" if is_library else f"answer.{exercise}")
+        self.is_library = any(f.name == "answer.cpp" for f in map(pathlib.Path, (c["file"] for c in self.compiles)))
+        self.result = self.place / (f"libanswer.{exercise}.so" if self.is_library else f"answer.{exercise}")
         self.slow = []  # test cases
         self.likely = []  # quick test cases that stopped mutants, the last first
 
@@ -532,11 +574,11 @@ class Answer:
                               cwd=self.build, capture_output=True, text=True)
         return done.stderr if done.returncode else ""
 
-    def run(self, number, words, seconds=300, processor_seconds=300):
-        """The checkpoint's output on this mutant; None if a test fails or the time is over."""
+    def finished(self, number, words, seconds, processor_seconds):
+        """Runs the checkpoint on this mutant: its exit code and its output, or None if the time is over."""
         environment = dict(os.environ, RT_MUTANT=str(number), COURSE_ANSWER=str(self.place),
                            LD_LIBRARY_PATH=str(self.place), DYLD_LIBRARY_PATH=str(self.place))
-        with subprocess.Popen([str(self.checkpoint), "--abort", "-w", "NoTests", *words],
+        with subprocess.Popen([str(self.checkpoint), "-w", "NoTests", *words],
                               cwd=self.folder, env=environment, text=True, errors="replace",
                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as process:
             limit(process, processor_seconds)
@@ -544,18 +586,46 @@ class Answer:
             while True:
                 try:
                     said, _ = process.communicate(timeout=0.1)
-                    break
+                    return process.returncode, said
                 except subprocess.TimeoutExpired:
                     if time.time() > end or processor_time(process) > processor_seconds:
                         process.kill()
                         return None
-        if process.returncode == 0:
+
+    def run(self, number, words, seconds=300, processor_seconds=300):
+        """The checkpoint's output on this mutant; None if a test fails or the time is over."""
+        done = self.finished(number, ["--abort", *words], seconds, processor_seconds)
+        if done is None:
+            return None
+        code, said = done
+        if code == 0:
             return said
         failed = re.search(r"^-{79}\n(\d\d\.\d [ -~]*)\n", said, re.M)  # of a long name, the first line
         if failed and not any(name.startswith(failed[1]) for name in self.slow):
             name = f'"{escaped(failed[1])}*"'
             self.likely = [name] + [other for other in self.likely if other != name]
         return None
+
+    def failing(self, number, names):
+        """Which of these test cases fail on this mutant? Those after one that crashes are not run."""
+        if not names:
+            return set()
+        seconds, processor_seconds = (sum(part[i] for part in self.parts) for i in (1, 2))
+        done = self.finished(number, ["-r", "xml", ",".join(f'"{escaped(name)}"' for name in names)],
+                             seconds, processor_seconds)
+        cases = re.findall(r'<TestCase name="([^"]*)"(.*?)(?=<TestCase |\Z)', done[1] if done else "", re.S)
+        return {html.unescape(name) for name, said in cases if '<OverallResult success="true"' not in said}
+
+    def too_tolerant(self, mutants, names):
+        """Which of these test cases notice a value that is 2 % too large, but none that is 1000 epsilon off?"""
+        slight = {(m.file, m.start, m.end): m.number for m in mutants if m.text.startswith(SLIGHTLY_OFF)}
+        large = {(m.file, m.start, m.end): m.number for m in mutants if m.text.endswith(TOO_LARGE)}
+        noticing = set()
+        for place in sorted(slight.keys() & large.keys()):
+            noticing |= self.failing(large[place], set(names) - noticing)
+        for number in slight.values():
+            noticing -= self.failing(number, noticing)
+        return noticing
 
     def measure(self, words):
         """Runs these test cases on the solution. Returns what it prints, None if it fails, and the arguments with which
@@ -572,6 +642,7 @@ class Answer:
             return False
         self.parts = [whole]
         times = re.findall(r"^([\d.]+) s: (.*)$", said, re.M)
+        self.cases = [name for _, name in times]
         slow = [name for seconds, name in times if float(seconds) > 0.2]
         if not 0 < len(slow) < len(times):
             return True
@@ -650,7 +721,7 @@ def run_exercise(exercise, build, float_too, log):
         path = ROOT / "solutions" / exercise.chapter / name
         stub = ROOT / "exercises" / exercise.chapter / name
         given = "".join(stub.read_text().split()) if stub.exists() else ""
-        maker = Maker(path, parse, given)
+        maker = Maker(path, parse, given, draws=not answer.is_library)
         name_mutants(maker.source, maker.mutants)
         for mutant in maker.mutants:
             number += 1
@@ -706,7 +777,9 @@ def run_exercise(exercise, build, float_too, log):
             surviving.append(mutant)
         else:
             stopped += 1
-    if float_too and any(m.form != "alone" and m.key not in allowed for m in surviving):
+    tolerant = answer.too_tolerant(chosen, answer.cases)
+    doubtful = {name for name in tolerant if name + TOLERANT not in allowed}
+    if float_too and (doubtful or any(m.form != "alone" and m.key not in allowed for m in surviving)):
         narrow = Answer(build, exercise.id, "float", folder)
         errors = narrow.compile(edited)
         blamed = blame(errors)
@@ -723,26 +796,30 @@ def run_exercise(exercise, build, float_too, log):
                 else:
                     stopped += 1
             surviving = left
+            doubtful = narrow.too_tolerant(chosen, doubtful)
         else:
             log(f"{exercise.id}: the solution itself does not pass in float")
     equal = [m for m in surviving if m.key in allowed]
     surviving = [m for m in surviving if m.key not in allowed]
-    keys = {m.key for m in mutants}
+    keys = {m.key for m in mutants} | {name + TOLERANT for name in answer.cases}
     stale = sorted(k for k in allowed if k not in keys)
-    needless = sorted(m.key for m in kept if m.key in allowed and m not in equal)
+    needless = {m.key for m in kept if m not in equal} | {name + TOLERANT for name in set(answer.cases) - tolerant}
+    needless = sorted(needless & allowed)
     made = stopped + len(equal) + len(surviving)
     log(f"{exercise.id}  made {made:4}  stopped {stopped:4}  allowed {len(equal):3}  "
         f"survived {len(surviving):3}   {time.time() - started:4.0f} s")
     for mutant in surviving:
         log(f"    {mutant.file}:{mutant.row}\n{mutant.key}")
-    if surviving:
+    for name in sorted(doubtful):
+        log(f"    a test case that notices a value 2 % too large, but none 1000 epsilon off:\n{name}{TOLERANT}")
+    if surviving or doubtful:
         log(f"    A better test case stops it. If none should: tests/mutants/{exercise.id}.txt lists it, with the reason\n"
             "    in the next line, indented.")
     for key in stale:
         log(f"    no such mutant any more: {key}")
     for key in needless:
         log(f"    stopped now, no need to list it: {key}")
-    return made, stopped, len(equal), len(surviving), len(stale) + len(needless)
+    return made, stopped, len(equal), len(surviving) + len(doubtful), len(stale) + len(needless)
 
 
 def main():
