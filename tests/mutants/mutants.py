@@ -275,8 +275,9 @@ class Maker:
         method = re.match(r"(.*[.>])(\w+)\(\)$", text, re.S)
         if method and method.group(2) in SWAPPED_FUNCTIONS:
             self.add(cursor, method.group(1) + SWAPPED_FUNCTIONS[method.group(2)] + "()")
-        if len(arguments) == 1 and callee:
-            self.add(cursor, self.text(arguments[0]))
+        if len(arguments) == 1 and callee and (
+                not self.type(cursor).startswith("rt::") or self.type(cursor) == self.type(arguments[0])):
+            self.add(cursor, self.text(arguments[0]))  # of another type, it would hide mutants in the lines below
         symmetric = callee and callee.group(2) in ("min", "max", "dot")
         for first, second in zip(arguments, arguments[1:]):
             if symmetric:
@@ -610,9 +611,9 @@ class Answer:
         """Which of these test cases fail on this mutant? Those after one that crashes are not run."""
         if not names:
             return set()
-        seconds, processor_seconds = (sum(part[i] for part in self.parts) for i in (1, 2))
+        processor_seconds = 4 + sum(part[2] for part in self.parts)  # every failure is described
         done = self.finished(number, ["-r", "xml", ",".join(f'"{escaped(name)}"' for name in names)],
-                             seconds, processor_seconds)
+                             300, processor_seconds)
         cases = re.findall(r'<TestCase name="([^"]*)"(.*?)(?=<TestCase |\Z)', done[1] if done else "", re.S)
         return {html.unescape(name) for name, said in cases if '<OverallResult success="true"' not in said}
 
@@ -781,10 +782,10 @@ def run_exercise(exercise, build, float_too, log):
     doubtful = {name for name in tolerant if name + TOLERANT not in allowed}
     if float_too and (doubtful or any(m.form != "alone" and m.key not in allowed for m in surviving)):
         narrow = Answer(build, exercise.id, "float", folder)
-        errors = narrow.compile(edited)
-        blamed = blame(errors)
-        if blamed:
-            write({m for m in kept if m.number not in blamed})
+        errors, in_both = narrow.compile(edited), set(kept)
+        while bad := {m for m in in_both if m.number in blame(errors)}:
+            in_both -= bad
+            write(in_both)
             errors = narrow.compile(edited)
         if errors:
             log(f"{exercise.id}: not compiled in float: {errors[:300]}")
