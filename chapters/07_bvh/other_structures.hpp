@@ -27,10 +27,11 @@ struct PackedList {
     template <class AnyRay>
     std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
         const Ray ray{any_ray.origin, any_ray.direction};
-        WideHit best{within.max};
-        for (const SphereLeaf& leaf : leaves) hit_leaf(leaf, ray, within.min, best);
-        if (best.number < 0) return {};
-        return surface_hit(spheres[static_cast<std::size_t>(best.number)], ray, best.t);
+        Search search{spheres, {}, ray, within};
+        for (const SphereLeaf& leaf : leaves)
+            for (const int number : SomeOfLeaf{leaf.number, may_meet(leaf, ray, within)})
+                try_shape(number, search);
+        return hit_of(search);
     }
 };
 

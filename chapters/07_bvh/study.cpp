@@ -133,7 +133,8 @@ void study_growth(study::Report& report) {
         const auto ns = study::in_turns_ns(builds);
         const auto build_row = [&](const char* name, const WideTree& tree, double time) {
             const double bytes = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +
-                                                     tree.leaves.size() * sizeof(tree.leaves[0]));
+                                                     tree.leaves.size() * sizeof(tree.leaves[0]) +
+                                                     tree.places.size() * sizeof(tree.places[0]));
             building.push_back({"build-time", name, static_cast<double>(count), "spheres",
                                 bytes / count, "bytes per sphere", time * 1e-6, "time / ms"});
         };
@@ -204,7 +205,7 @@ struct BareTree {
     std::optional<Hit> hit(const AnyRay& ray, Interval within) const {
         Search search{tree.shapes, tree.order, {ray.origin, ray.direction}, within};
         search.slabs.margin = 0;
-        find_nearest(*tree.root, search);
+        if (search.meets(tree.root->box)) find_nearest(*tree.root, search);
         return hit_of(search);
     }
 };

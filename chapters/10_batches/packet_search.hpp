@@ -14,10 +14,16 @@ namespace batches {
 
 using namespace rt;
 
+// The nearest hit of a ray.
+struct NearestHit {
+    Real t = infinity;
+    std::int32_t number = -1;  // of the sphere that is hit there; -1 for none
+};
+
 template <std::size_t size>
 class Packet {
   public:
-    std::array<WideHit, size> best;
+    std::array<NearestHit, size> best;
 
     explicit Packet(const Ray* rays) : Packet{rays, std::make_index_sequence<size>{}} {}
 
@@ -27,11 +33,11 @@ class Packet {
         stack[0] = {WideChild::node(0), (std::uint32_t{1} << size) - 1};
         for (std::size_t waiting = 1; waiting > 0;) {
             const Waiting top = stack[--waiting];
-            const auto number = static_cast<std::size_t>(top.child.number());
             if (top.child.is_leaf())
-                test(tree.leaves[number], top.rays);
+                test(tree, top);
             else
-                waiting = visit(tree.nodes[number], top.rays, stack.data(), waiting);
+                waiting = visit(tree.nodes[static_cast<std::size_t>(top.child.number())], top.rays,
+                                stack.data(), waiting);
         }
     }
 
@@ -72,11 +78,14 @@ class Packet {
         return waiting;
     }
 
-    void test(const SphereLeaf& leaf, std::uint32_t rays) {
-        for (; rays; rays &= rays - 1) {
+    void test(const WideTree& tree, Waiting leaf) {
+        for (std::uint32_t rays = leaf.rays; rays; rays &= rays - 1) {
             const auto ray = static_cast<std::size_t>(std::countr_zero(rays));
-            if (hit_leaf(leaf, rays_[ray], 0, best[ray]))
-                max_[ray] = static_cast<float>(best[ray].t * wide_[ray].scale);
+            auto& [t, number] = best[ray];
+            const auto found = tree.search(rays_[ray], wide_[ray], {0, t}, leaf.child, number);
+            if (found.nearest == number) continue;
+            best[ray] = {found.within.max, found.nearest};
+            max_[ray] = static_cast<float>(t * wide_[ray].scale);
         }
     }
 

@@ -59,15 +59,15 @@ std::size_t count(const Rays& rays) {
     return sum;
 }
 
-using Found = std::vector<WideHit>;  // the hit of each ray
+using Found = std::vector<NearestHit>;  // the hit of each ray
 
 // Three ways to search. Each adds the hits of the rays to `found`, unless `found` is null.
 void search_singly(const WideTree& tree, const Rays& rays, Found* found) {
     for (const auto& batch : rays)
         for (const Ray& ray : batch) {
-            const WideHit best = tree.search(ray, {}).best;
-            study::keep(best);
-            if (found) found->push_back(best);
+            const auto search = tree.search(ray, {});
+            study::keep(search);
+            if (found) found->push_back({search.within.max, search.nearest});
         }
 }
 
@@ -180,7 +180,7 @@ void study_parts(study::Report& report, const StudyScene& scene, const Recorded&
     const auto singly = [&](const WideTree& in, const auto& end) {
         std::size_t number = 0;
         for (const auto& batch : rays)
-            for (const Ray& ray : batch) study::keep(in.search(ray, {0, end(number++)}).best);
+            for (const Ray& ray : batch) study::keep(in.search(ray, {0, end(number++)}));
     };
     Batches all{tree, rays}, box_tests{boxes, rays};
     Image image = Canvas<Color>{study_width, study_height};

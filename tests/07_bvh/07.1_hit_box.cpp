@@ -20,16 +20,35 @@ SlabRay bare(Vec3 origin, Vec3 direction, Real margin = 0) {
     return {origin, {1 / direction.x, 1 / direction.y, 1 / direction.z}, margin};
 }
 
+bool is_hit(const Box& box, const SlabRay& ray, Interval within) {
+    const Interval part = hit_box(box, ray, within);
+    return part.min <= part.max;
+}
+
 void check(const Box& box, Vec3 origin, Vec3 direction, Interval within, bool expected,
            const char* hint, Real margin = 0) {
-    const bool met = hit_box(box, bare(origin, direction, margin), within);
+    const Interval part = hit_box(box, bare(origin, direction, margin), within);
+    const bool met = part.min <= part.max;
     INFO(checkpoint::text(box) << ", " << checkpoint::text(Ray{origin, direction}) << ", t from "
                                << checkpoint::text(within.min) << " to "
                                << checkpoint::text(within.max) << ", margin "
                                << checkpoint::text(margin));
-    INFO("expected " << (expected ? "a hit" : "no hit") << ", but yours gives "
-                     << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
+    INFO("expected " << (expected ? "a hit" : "no hit") << ", but yours gives the part from "
+                     << checkpoint::text(part.min) << " to " << checkpoint::text(part.max)
+                     << ", which is " << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
     CHECK(met == expected);
+}
+
+// The ray is in the box from t = expected.min to expected.max.
+void check_part(const Box& box, const SlabRay& ray, Interval within, Interval expected,
+                const char* hint) {
+    const Interval part = hit_box(box, ray, within);
+    INFO("within t from " << checkpoint::text(within.min) << " to " << checkpoint::text(within.max)
+                          << " the ray is in the box from " << checkpoint::text(expected.min)
+                          << " to " << checkpoint::text(expected.max) << ", but yours says from "
+                          << checkpoint::text(part.min) << " to " << checkpoint::text(part.max)
+                          << ".\nHint: " << hint);
+    CHECK((part.min == expected.min && part.max == expected.max));
 }
 
 Vec3 turned(Vec3 v, int times) {
@@ -78,6 +97,47 @@ TEST_CASE("07.1 only hits within the interval count", "[07.1]") {
     check(unit, o, d, {0, 2}, true, "the ends of the interval belong to it: a hit at 2 counts");
     check(unit, o, d, {3, 9}, true, "the ends of the interval belong to it");
     check(unit, {2, Real(0.5), Real(0.25)}, d, {-9, 0}, true, "an interval may begin below 0");
+}
+
+TEST_CASE("07.1 the part of the interval in the box is returned", "[07.1]") {
+    for (int axis = 0; axis < 3; ++axis) {
+        // In the three slabs from t = 2 to 3, from -4 to 4, and from -2 to 6.
+        const SlabRay ray = bare(turned({-2, Real(0.5), Real(0.25)}, axis),
+                                 turned({1, Real(0.125), Real(0.125)}, axis));
+        check_part(unit, ray, ahead, {2, 3}, "return the latest entry and the earliest exit");
+        check_part(unit, ray, {0, Real(2.5)}, {2, Real(2.5)},
+                   "the part ends with the interval, if that comes before the exit");
+        check_part(unit, ray, {Real(2.5), 9}, {Real(2.5), 3},
+                   "the part begins with the interval, if that comes after the entry");
+    }
+}
+
+TEST_CASE("07.1 eight boxes at once give the same as one by one", "[07.1]") {
+    rt::Rng rng{71, 3};
+    for (int i = 0; i < 500; ++i) {
+        const auto anywhere = [&] { return 2 * in_cube(rng); };
+        rt::Lanes<Box> boxes;
+        for (Box& box : boxes) {
+            const Vec3 corner = anywhere();
+            box = {corner, corner + abs(in_cube(rng))};
+        }
+        const SlabRay ray = bare(anywhere(), any_direction(rng), Real(i % 2) / 16);
+        const Interval within = i % 3 ? ahead : Interval{Real(0.5), 2};
+        const rt::Lanes<Interval> parts = answer::hit_eight(boxes, ray, within);
+        for (std::size_t k = 0; k < boxes.size(); ++k) {
+            const Interval alone = hit_box(boxes[k], ray, within);
+            if (alone == parts[k]) continue;
+            INFO("box " << k << " of eight: alone from " << checkpoint::text(alone.min) << " to "
+                        << checkpoint::text(alone.max) << ", with the others from "
+                        << checkpoint::text(parts[k].min) << " to "
+                        << checkpoint::text(parts[k].max));
+            INFO(
+                "Hint: a pack has a number of each box. Compute all of them in the same way: the "
+                "function may depend on the ray, but not on one of the boxes");
+            REQUIRE(alone == parts[k]);
+        }
+    }
+    SUCCEED();
 }
 
 TEST_CASE("07.1 the box grows by the margin on all sides", "[07.1]") {
@@ -242,8 +302,13 @@ TEST_CASE("07.1 the result is exact for any small whole numbers", "[07.1][hard]"
         const Box box = empty ? Box{} : Box{vec(low), vec(high)};
         const Interval within{end_of(min), end_of(max)};
         const Real grown = std::ldexp(static_cast<Real>(margin), power);
-        if (hit_box(box, bare(vec(origin), vec(direction), grown), within) == expected) {
+        const SlabRay ray = bare(vec(origin), vec(direction), grown);
+        if (is_hit(box, ray, within) == expected) {
             ++right;
+            if (expected)
+                check_part(box, ray, within,
+                           {end_of(std::max(first, min)), end_of(std::min(last, max))},
+                           "nothing is rounded here");
             continue;
         }
         check(box, vec(origin), vec(direction), within, expected,
@@ -290,7 +355,7 @@ TEST_CASE("07.1 a near miss counts as a miss in any direction", "[07.1][hard]") 
             (max_component(low) + max_component(high) + max_component(origin) + margin);
         if (by < rounding || max_component(low - high) < 4 * by) continue;
         const SlabRay ray = bare(origin, d, margin);
-        if (hit_box({low, high}, ray, ahead) == over) {
+        if (is_hit({low, high}, ray, ahead) == over) {
             ++right;
             continue;
         }

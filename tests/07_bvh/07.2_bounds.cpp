@@ -137,7 +137,8 @@ TEST_CASE("07.2 no ray hits a sphere and misses its box", "[07.2][hard]") {
         const auto t = rt::hit_sphere(sphere, ray, {});
         if (!t) return false;
         const Box box = bounds_of(sphere);
-        if (rt::hit_box(box, rt::slab_ray(ray), {0, std::max(Real(0), *t)})) return true;
+        const auto part = rt::hit_box(box, rt::slab_ray(ray), {0, std::max(Real(0), *t)});
+        if (part.min <= part.max) return true;
         INFO("sphere at " << checkpoint::text(sphere.center) << " of radius "
                           << checkpoint::text(sphere.radius) << ", " << checkpoint::text(ray)
                           << ": hit at t = " << checkpoint::text(*t));

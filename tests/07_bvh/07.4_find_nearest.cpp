@@ -8,7 +8,10 @@
 #include "scenes.hpp"
 
 using namespace checkpoint;
+using answer::ManyNode;
+using answer::ManySearch;
 using answer::MovedSearch;
+using answer::ShadowSearch;
 using rt::infinity;
 
 namespace {
@@ -34,14 +37,11 @@ struct ByHand {
         rt::Search search{spheres, order, ray, within};
         {
             INFO(
-                "Hint, if this crashes: a leaf has no children, so return after its spheres, at "
-                "the indices first ... first + count - 1 of search.order; and a ray may miss a "
-                "sphere");
-            rt::find_nearest(root, search);
+                "Hint, if this crashes: a leaf has no children, so return after its spheres; and a "
+                "ray may miss a sphere");
+            if (search.meets(root.box)) rt::find_nearest(root, search);
         }
-        INFO(
-            "sphere 2 is in no leaf.\nHint: a leaf's indices are first ... first + count - 1: < "
-            "and not <=");
+        INFO("sphere 2 is in no leaf.\nHint: search.shapes_in(node) has the numbers of a leaf");
         CHECK(search.nearest != 2);
         return search;
     }
@@ -88,14 +88,16 @@ std::vector<int> shuffled(int count, rt::Rng& rng) {
 
 // What a search must be after it has gone through a tree, computed with a list of waiting nodes.
 void expect_of(const rt::TreeNode& root, rt::Search& search) {
-    std::vector<const rt::TreeNode*> waiting{&root};
+    std::vector<rt::MetChild> waiting{{-infinity, &root}};
     while (!waiting.empty()) {
-        const rt::TreeNode& node = *waiting.back();
+        const rt::MetChild next = waiting.back();
+        const rt::TreeNode& node = next.node();
         waiting.pop_back();
-        if (!search.meets(node.box)) continue;
+        if (!search.reaches(next)) continue;
         if (!node.is_leaf()) {
-            waiting.push_back(node.right.get());
-            waiting.push_back(node.left.get());
+            const auto children = search.children_of(node);
+            waiting.insert(waiting.end(), children.begin(), children.end());
+            std::reverse(waiting.end() - (children.end() - children.begin()), waiting.end());
             continue;
         }
         for (int place = node.first; place < node.first + node.count; ++place) {
@@ -228,6 +230,79 @@ TEST_CASE("07.4 a search of another type uses its own functions", "[07.4]") {
         "\"template <class AnySearch>\" as it is, and pass the search on as AnySearch&");
 }
 
+TEST_CASE("07.4 a node may have three children", "[07.4]") {
+    // Three leaves, of which the second is entered first, and a node with one leaf.
+    const ManyNode root{
+        0, {{2, {}, {0, 1}}, {1, {}, {2, 3, 4}}, {Real(2.5), {{3, {}, {5}}}, {}}}, {}};
+    const auto search = [&](std::vector<Real> hits) {
+        ManySearch done{std::move(hits)};
+        rt::find_nearest(root, done);
+        return done;
+    };
+    struct Case {
+        std::vector<Real> hits;
+        int nearest, opened, shape_tests;
+        const char* hint;
+    };
+    const Real none = std::numeric_limits<Real>::quiet_NaN();
+    const Case cases[] = {
+        {{4, 4, none, none, none, 5}, 1, 2, 6, "two shapes at the same t: the higher number"},
+        {{4, 6, 5, none, none, 3}, 5, 2, 6, "the third child has the nearest shape"},
+        {{none, none, none, none, none, 3}, 5, 2, 6, "only the third child has a hit"},
+        {{4, 6, none, none, Real(1.5), 5},
+         4,
+         1,
+         3,
+         "a hit in the nearest child lies in front of both others: ask search.reaches(child) just "
+         "before you search a child"},
+        {{Real(2.25), 6, 5, 3, none, 5},
+         0,
+         1,
+         5,
+         "a hit in the second child lies in front of the third: ask search.reaches(child) just "
+         "before you search each child"},
+        {{none, none, none, none, none, none}, -1, 2, 6, "no shape is hit"},
+    };
+    for (const Case& c : cases) {
+        const ManySearch found = search(c.hits);
+        const auto state_of = [](int nearest, int opened, int tests) {
+            return (nearest < 0 ? "no hit" : "shape " + std::to_string(nearest)) + " after " +
+                   std::to_string(opened) + " calls of children_of and " + std::to_string(tests) +
+                   " of meets_shape";
+        };
+        INFO(
+            "a node with three children, as in the wide tree.\nHint: go through all of "
+            "search.children_of(node), in their order; "
+            << c.hint);
+        CHECK(state_of(found.nearest, found.opened, found.shape_tests) ==
+              state_of(c.nearest, c.opened, c.shape_tests));
+    }
+}
+
+TEST_CASE("07.4 a shadow ray's search ends at its first hit", "[07.4]") {
+    const Spheres spheres = random_spheres(300);
+    const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
+    rt::Rng rng{74, 6};
+    for (int i = 0; i < 2000; ++i) {
+        const Ray ray = any_ray(spheres, rng, i);
+        const bool expected = linear(spheres, ray, {}).sphere >= 0;
+        ShadowSearch search{rt::Search{tree.shapes, tree.order, ray, {}}};
+        rt::find_nearest(*tree.root, search);
+        ShadowSearch again = search;  // if it has found a hit, it goes no farther than the root
+        rt::find_nearest(*tree.root, again);
+        const int more = again.shape_tests - search.shape_tests;
+        INFO("300 spheres, " << text(ray) << ": " << (expected ? "something" : "nothing")
+                             << " is in the way");
+        INFO(
+            "Hint: for a shadow ray, search.reaches(child) is false after the first hit: ask it "
+            "just before you search a child");
+        if (search.found() == expected && (!expected || more == 0)) continue;
+        REQUIRE(search.found() == expected);
+        REQUIRE((!expected || more == 0));
+    }
+    SUCCEED();
+}
+
 TEST_CASE("07.4 the tree gives the same hits as the linear list", "[07.4]") {
     for (const int count : {0, 1, 2, 3, 10, 300})
         check_scene(std::to_string(count) + " spheres", random_spheres(count), 4000);
@@ -248,27 +323,25 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     boxes /= rays;
     tests /= rays;
     const char* hint = "look at what find_nearest tests";
-    if (boxes == 0)
-        hint =
-            "call search.meets(node.box): it counts the box tests, and gives hit_box the right "
-            "interval";
+    if (boxes < 40)
+        hint = "go through search.children_of(node): it counts the box tests";
     else if (tests == 0)
         hint = "call search.meets_shape(number): it counts the sphere tests";
-    else if (boxes >= 1000)
-        hint = "return at once if search.meets(node.box) is false";
-    else if (tests > boxes / 2)
-        hint = "a leaf has a box, too: test it before its spheres";
-    else if (boxes > 95)
+    else if (boxes > 110)
         hint =
-            "test each box only once: either the node tests its own box or its parent does, but "
-            "not both. And do you move search.within.max to each hit?";
+            "call search.children_of(node) once for each node. And do you move search.within.max "
+            "to each hit?";
+    else if (boxes > 80)
+        hint = "search the children in the order in which search.children_of(node) gives them";
+    else if (boxes > 60)
+        hint = "search a child only if search.reaches(child) is true just before";
     INFO("4096 spheres, 2047 boxes; per ray your search tests "
          << boxes << " boxes and " << tests
-         << " spheres; expected about 79 and 30.\nHint: " << hint);
-    CHECK(boxes < 95);
-    CHECK(boxes > 20);
-    CHECK(tests < 40);
-    CHECK(tests > 20);
+         << " spheres; expected about 58 and 20.\nHint: " << hint);
+    CHECK(boxes <= 60);
+    CHECK(boxes > 40);
+    CHECK(tests < 24);
+    CHECK(tests > 16);
 }
 
 TEST_CASE("07.4 each hit shortens the interval of the search", "[07.4]") {
@@ -280,14 +353,14 @@ TEST_CASE("07.4 each hit shortens the interval of the search", "[07.4]") {
     INFO("a ray along a row of 1024 spheres; your search tests "
          << search.box_tests << " boxes and " << search.shape_tests << " spheres.");
     INFO(
-        "Hint: the left child comes before the right one, and once search.within.max is the hit's "
-        "t, nothing behind the hit is met");
+        "Hint: the nearest child comes first. Once search.within.max is the hit's t, "
+        "search.reaches(child) is false for every child behind the hit");
     check_winner(search, {0, Real(4.75)}, "the first sphere of the row is the nearest");
-    CHECK(search.shape_tests <= 8);
-    CHECK(search.box_tests <= 30);
+    CHECK(search.shape_tests <= 4);
+    CHECK(search.box_tests <= 18);
 }
 
-TEST_CASE("07.4 each necessary box is tested once and left before right", "[07.4][hard]") {
+TEST_CASE("07.4 each necessary box is tested once and the nearest first", "[07.4][hard]") {
     rt::Rng rng{74, 5};
     for (int i = 0; i < 250; ++i) {
         const int count = 1 + static_cast<int>(rng() % 60),
@@ -323,9 +396,9 @@ TEST_CASE("07.4 each necessary box is tested once and left before right", "[07.4
             INFO("a tree of " << count << " spheres, " << text(ray) << ", t from "
                               << text(within.min) << " to " << text(within.max));
             INFO(
-                "Hint: test a node's box once, by search.meets, before anything below it. Then "
-                "comes the left child with everything below it, and only then the right one. Test "
-                "each of a leaf's spheres once");
+                "Hint: call search.children_of once for each node that is no leaf. Search its "
+                "children in this order, each with everything below it, and ask "
+                "search.reaches(child) just before. Test each of a leaf's shapes once");
             REQUIRE(state(search) == state(expected));
         }
     }

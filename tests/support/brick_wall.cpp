@@ -22,7 +22,8 @@ int main(int, char** argv) {
                 const Real left = static_cast<Real>(column * brick_width + shift);
                 const Real top = static_cast<Real>(row * brick_height);
                 const Box brick{{-1, top, left}, {0, top + brick_height, left + brick_width}};
-                if (hit_box(brick, ray, {0, infinity}))
+                const Interval part = hit_box(brick, ray, Interval{0, infinity});
+                if (part.min <= part.max)
                     image.at(x, y) = from_hex(colors[(row * row + 5 * column + 10) / 2 % 4]);
             }
         }

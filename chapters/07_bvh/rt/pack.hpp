@@ -66,6 +66,15 @@ RT_INLINED Pack min(Pack a, Pack b) {
     return b < a ? b : a;
 }
 
+// The same for single numbers, so that one formula can take either. The result is `a` if `b` is
+// NaN.
+constexpr Real max(Real a, Real b) {
+    return a < b ? b : a;
+}
+constexpr Real min(Real a, Real b) {
+    return b < a ? b : a;
+}
+
 // A pack's bits, as integers of the same size as its numbers; sign_bit is the sign's bit in each.
 template <AnyPack Pack>
 using Bits = PackOf<std::conditional_t<sizeof(NumberOf<Pack>) == 4, std::int32_t, std::int64_t>,

@@ -1,13 +1,24 @@
 #pragma once
+#include <algorithm>
 #include <optional>
 #include <rt/hit_box.hpp>
+#include <rt/nearest_first.hpp>
 #include <rt/sphere_shape.hpp>
+#include <rt/tree.hpp>
 #include <span>
 
 namespace rt {
 
+// A child of a TreeNode whose box a ray meets, and the t at which the ray enters the box.
+struct MetChild {
+    Real entry;
+    const TreeNode* place;
+    const TreeNode& node() const { return *place; }
+};
+
 // One ray on its way through a tree of shapes, and the nearest hit so far (given). Here the shapes
-// are spheres. Chapter 08 searches for other shapes, with rays of other types.
+// are spheres. Chapter 08 searches for other shapes, with rays of other types. WideSearch has the
+// same functions for trees with eight children per node.
 template <class Shape, class AnyRay = Ray>
 struct SearchOf {
     std::span<const Shape> shapes;  // of the scene
@@ -19,12 +30,33 @@ struct SearchOf {
     int shape_tests = 0;
     SlabRay slabs = slab_ray(ray);
 
-    // True if the ray meets a box where a hit would still count.
-    bool meets(const Box& box) {
+    // The part of the ray in a box where a hit would still count; min > max if there is none.
+    Interval part_in(const Box& box) {
         ++box_tests;
         return hit_box(box, slabs, with_origin(within));
     }
+    bool meets(const Box& box) {
+        const Interval part = part_in(box);
+        return part.min <= part.max;
+    }
 
+    // The children of an inner node whose boxes the ray meets, the nearest first.
+    NearestFirst<MetChild, 2> children_of(const TreeNode& node) {
+        NearestFirst<MetChild, 2> met;
+        for (const TreeNode* const child : {node.left.get(), node.right.get()}) {
+            const Interval part = part_in(child->box);
+            if (part.min <= part.max) met.add({part.min, child});
+        }
+        return met;
+    }
+    // True if a hit in this child would still count: no hit has been found in front of its box.
+    bool reaches(const MetChild& child) const { return child.entry <= with_origin(within).max; }
+
+    // The numbers of the shapes in a leaf that the ray may meet: here all of them.
+    std::span<const int> shapes_in(const TreeNode& leaf) const {
+        return order.subspan(static_cast<std::size_t>(leaf.first),
+                             static_cast<std::size_t>(leaf.count));
+    }
     // The shape with this number.
     const Shape& shape(int number) const { return shapes[static_cast<std::size_t>(number)]; }
 
@@ -35,5 +67,12 @@ struct SearchOf {
     }
 };
 using Search = SearchOf<SceneSphere>;
+
+// Makes the Hit for the shape that a search has found, as SphereList does.
+template <class AnySearch>
+std::optional<Hit> hit_of(const AnySearch& search) {
+    if (search.nearest < 0) return {};
+    return surface_hit(search.shape(search.nearest), search.ray, search.within.max);
+}
 
 }  // namespace rt

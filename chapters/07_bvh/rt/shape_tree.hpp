@@ -10,13 +10,6 @@
 
 namespace rt {
 
-// Makes the Hit for the shape that a search has found, as SphereList does.
-template <class AnySearch>
-std::optional<Hit> hit_of(const AnySearch& search) {
-    if (search.nearest < 0) return {};
-    return surface_hit(search.shape(search.nearest), search.ray, search.within.max);
-}
-
 template <class Shape>
 std::vector<Box> bounds_of(const std::vector<Shape>& shapes) {
     std::vector<Box> boxes;
@@ -44,7 +37,7 @@ struct TreeOf {
     template <class AnyRay>
     SearchOf<Shape, AnyRay> search(const AnyRay& ray, Interval within) const {
         auto search = search_before_start(ray, within);
-        if (root) find_nearest(*root, search);
+        run(search);
         return search;
     }
 
@@ -56,8 +49,9 @@ struct TreeOf {
     // True if anything is hit within the interval.
     template <class AnyRay>
     bool occluded(const AnyRay& ray, Interval within) const {
-        auto search = search_before_start(ray, within);
-        return root && meets_any(*root, search);
+        AnyHit search{search_before_start(ray, within)};
+        run(search);
+        return search.found();
     }
 
   private:
@@ -66,6 +60,10 @@ struct TreeOf {
         SearchOf<Shape, AnyRay> search{shapes, order, ray, within};
         search.slabs.margin *= factor;
         return search;
+    }
+    template <class AnySearch>
+    void run(AnySearch& search) const {
+        if (root && search.meets(root->box)) find_nearest(*root, search);
     }
 };
 using SphereTree = TreeOf<SceneSphere>;

@@ -1,6 +1,7 @@
 #pragma once
 #include <algorithm>
 #include <rt/interval.hpp>
+#include <rt/pack.hpp>
 #include <rt/ray.hpp>
 #include <rt/vec3.hpp>
 

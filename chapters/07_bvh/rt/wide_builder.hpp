@@ -44,6 +44,8 @@ WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const TreeOf<Shape>& tr
         const int number = tree.order[static_cast<std::size_t>(leaf.first + i)];
         shapes.set(static_cast<std::size_t>(i), tree.shapes[static_cast<std::size_t>(number)],
                    number);
+        wide.places[static_cast<std::size_t>(number)] =
+            static_cast<std::uint32_t>(lanes * wide.leaves.size()) + static_cast<std::uint32_t>(i);
     }
     wide.leaves.push_back(shapes);
     return WideChild::leaf(static_cast<std::int32_t>(wide.leaves.size() - 1));
@@ -90,6 +92,7 @@ WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes, const
     for (const Shape& shape : shapes) boxes.push_back(wide_bounds_of<Number>(shape));
     const TreeOf<Shape> tree = make_tree(shapes, boxes, with_wide_leaves(split));
     WideTreeOf<Shape, Number> wide;
+    wide.places.resize(shapes.size());
     if (tree.root) add_wide_node(wide, tree, *tree.root);
     wide.leaves.shrink_to_fit();
     wide.nodes.shrink_to_fit();

@@ -11,8 +11,8 @@
 
 namespace rt {
 
-// A leaf with up to eight shapes, and everything that a hit needs (given). This plain version is
-// for any type of shape; the version for spheres follows.
+// A leaf with up to eight shapes (given). This plain version is for any type of shape; the version
+// for spheres follows.
 template <class Shape>
 struct WideLeaf {
     Lanes<Shape> shapes{};
@@ -25,11 +25,7 @@ struct WideLeaf {
         number[place] = its_number;
         count = place + 1;
     }
-
-    // The Hit of a ray that meets shape number `place` of the leaf at t.
-    Hit hit(std::int32_t place, const Ray& ray, Real t) const {
-        return surface_hit(shapes[static_cast<std::size_t>(place)], ray, t);
-    }
+    const Shape& shape(std::size_t place) const { return shapes[place]; }
 };
 
 // The same for spheres, which are tested all at once.
@@ -55,121 +51,91 @@ struct alignas(64) WideLeaf<SceneSphere> {
     }
     bool is_used(std::size_t i) const { return !std::isnan(radius[i]); }
     Sphere sphere(std::size_t i) const { return {{x[i], y[i], z[i]}, radius[i]}; }
-
-    RT_INLINED Hit hit(std::int32_t place, const Ray& ray, Real t) const {
-        const auto i = static_cast<std::size_t>(place);
-        return surface_hit(SceneSphere{sphere(i), material[i], light[i]}, ray, t);
-    }
+    SceneSphere shape(std::size_t i) const { return {sphere(i), material[i], light[i]}; }
 };
 using SphereLeaf = WideLeaf<SceneSphere>;
 
-// The nearest hit so far.
-struct WideHit {
-    Real t = infinity;
-    std::int32_t number = -1;  // of the shape that is hit there; -1 before any hit
-    std::int32_t place = 0;    // the shape's place in its leaf
-};
+// The shapes of a leaf that the ray may meet within the interval, as bits: here all of them.
+template <class Shape>
+unsigned may_meet(const WideLeaf<Shape>& leaf, const Ray&, Interval) {
+    return (1u << leaf.count) - 1;
+}
 
-// A part of a leaf's spheres, as seen from a ray (given). It computes what hit_sphere and
-// roots_from_discriminant compute, with the same operations in the same order, so each t has the
-// same bits. The names are the same, too.
+// A part of a leaf's spheres, as seen from a ray (given). It computes what hit_sphere computes
+// first, with the same operations in the same order, so it has the same bits. The names are the
+// same, too.
 struct LeafPart {
     Vec3 d;  // the ray's direction
-    Real a;  // its squared length
     Reals fx, fy, fz, r_squared;
 
     RT_INLINED LeafPart(const SphereLeaf& leaf, std::size_t first, const Ray& ray)
         : d{ray.direction},
-          a{d.x * d.x + d.y * d.y + d.z * d.z},
           fx{ray.origin.x - load<Reals>(&leaf.x[first])},
           fy{ray.origin.y - load<Reals>(&leaf.y[first])},
           fz{ray.origin.z - load<Reals>(&leaf.z[first])},
           r_squared{load<Reals>(&leaf.radius[first]) * load<Reals>(&leaf.radius[first])} {}
 
-    // A quarter of each discriminant: 0 or more if the ray's line meets the sphere.
-    RT_INLINED Reals quarter() const {
+    // The spheres that the ray's line meets, as bits: a quarter of the discriminant is 0 or more.
+    RT_INLINED unsigned line_meets() const {
+        const Real a = d.x * d.x + d.y * d.y + d.z * d.z;
         const Reals mx = fy * d.z - fz * d.y, my = fz * d.x - fx * d.z, mz = fx * d.y - fy * d.x;
-        return a * r_squared - (mx * mx + my * my + mz * mz);
+        return RT_VECTOR_BITS(a * r_squared - (mx * mx + my * my + mz * mz) >= 0);
     }
-
-    // The spheres that the ray meets within the interval, as bits, and the t of each. Only spheres
-    // whose bit is set in `met` are tested; `a` must be greater than 0.
-    RT_INLINED unsigned hits(Reals quarter, unsigned met, Interval within, Reals& t) const {
+    // The spheres that lie behind the ray, as bits: it starts outside and runs away from the
+    // center, so both solutions are negative.
+    RT_INLINED unsigned behind() const {
         const Reals half_b = fx * d.x + fy * d.y + fz * d.z;
-        const Reals b = 2 * half_b, c = fx * fx + fy * fy + fz * fz - r_squared;
-        // If a ray starts outside a sphere and runs away from its center, the whole sphere is
-        // behind the ray: both solutions are negative. This holds for half of the spheres that the
-        // line of a ray meets.
-        if (within.min >= 0) met &= ~RT_VECTOR_BITS((half_b > 0) & (c > 0));
-        if (met == 0) return 0;
-
-        const Reals q = -(b + copysign(sqrt(4 * quarter), b)) / 2;
-        const auto at_origin = q == 0;  // both solutions are 0
-        const Reals one = at_origin ? Reals{} : c / q, other = at_origin ? Reals{} : q / a;
-        const Reals low = one < other ? one : other, high = one < other ? other : one;
-        const auto low_counts = (low >= within.min) & (low <= within.max);
-        const auto high_counts = (high >= within.min) & (high <= within.max);
-        t = low_counts ? low : high;
-        return met & RT_VECTOR_BITS(low_counts | high_counts);
+        const Reals c = fx * fx + fy * fy + fz * fz - r_squared;
+        return RT_VECTOR_BITS((half_b > 0) & (c > 0));
     }
 };
 
-// Tries the spheres of a leaf between min and best.t, and returns whether best has changed. Of
-// equally near spheres, the one with the highest number counts.
-RT_INLINED bool hit_leaf(const SphereLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
-    constexpr std::size_t size = part_size<Real>;
-    std::array<Reals, lanes / size> quarters;
-    std::array<unsigned, lanes / size> met;
-    unsigned any = 0;
-    for (std::size_t p = 0; p < quarters.size(); ++p) {
-        quarters[p] = LeafPart{leaf, p * size, ray}.quarter();
-        met[p] = RT_VECTOR_BITS(quarters[p] >= 0);
-        any |= met[p];
-    }
-    // If the line misses all spheres, the leaf is done. The roots need `fx`, `fy` and `fz` again.
-    // They are computed once more: keeping them for all eight spheres would take more registers
-    // than the processor has.
-    const Vec3 d = ray.direction;
-    if (any == 0 || !(d.x * d.x + d.y * d.y + d.z * d.z > 0)) return false;
-
-    Lanes<Real> t;
-    unsigned hits = 0;
-    for (std::size_t p = 0; p < quarters.size(); ++p) {
-        Reals some{};
-        hits |= LeafPart{leaf, p * size, ray}.hits(quarters[p], met[p], {min, best.t}, some)
-                << p * size;
-        store(some, &t[p * size]);
-    }
-    bool changed = false;
-    for (; hits; hits &= hits - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(hits));
-        if (t[i] > best.t || (t[i] == best.t && leaf.number[i] < best.number)) continue;
-        best = {t[i], leaf.number[i], static_cast<std::int32_t>(i)};
-        changed = true;
-    }
-    return changed;
+// The spheres of a leaf that hit_sphere (03.2) must test. These are few: most lines pass beside all
+// spheres of a leaf, and half of the spheres that a line meets lie behind the ray.
+RT_INLINED unsigned may_meet(const SphereLeaf& leaf, const Ray& ray, Interval within) {
+    unsigned met = 0, behind = 0;
+    for (std::size_t first = 0; first < lanes; first += part_size<Real>)
+        met |= LeafPart{leaf, first, ray}.line_meets() << first;
+    if (met == 0 || within.min < 0) return met;
+    // The differences are computed once more: keeping them for all eight spheres would take more
+    // registers than the processor has.
+    for (std::size_t first = 0; first < lanes; first += part_size<Real>)
+        behind |= LeafPart{leaf, first, ray}.behind() << first;
+    return met & ~behind;
 }
 
-// The same for other shapes, one by one.
-template <class Shape>
-bool hit_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min, WideHit& best) {
-    bool changed = false;
-    for (std::size_t i = 0; i < leaf.count; ++i) {
-        const auto t = hit_shape(leaf.shapes[i], ray, {min, best.t});
-        if (!t || (*t == best.t && leaf.number[i] < best.number)) continue;
-        best = {*t, leaf.number[i], static_cast<std::int32_t>(i)};
-        changed = true;
-    }
-    return changed;
+// The places of a number in a leaf, as bits.
+RT_INLINED unsigned places_of(std::int32_t number, const Lanes<std::int32_t>& numbers) {
+    using Numbers = Part<std::int32_t>;
+    unsigned places = 0;
+    for (std::size_t first = 0; first < lanes; first += part_size<std::int32_t>)
+        places |= RT_VECTOR_BITS(load<Numbers>(&numbers[first]) == number) << first;
+    return places;
 }
 
-// True if a shape of the leaf is hit before `end`, according to the rules of hit_leaf. The shape
-// that is hit at `end` itself does not count.
-template <class Shape>
-RT_INLINED bool any_in_leaf(const WideLeaf<Shape>& leaf, const Ray& ray, Real min,
-                            const WideHit& end) {
-    WideHit best = end;
-    return hit_leaf(leaf, ray, min, best) && best.number != end.number;
-}
+// The numbers of some of a leaf's shapes, those whose bits are set (given).
+class SomeOfLeaf {
+  public:
+    RT_INLINED SomeOfLeaf(const Lanes<std::int32_t>& numbers, unsigned bits)
+        : numbers_{numbers.data()}, bits_{bits} {}
+    struct End {};
+    struct Iterator {
+        const std::int32_t* numbers;
+        unsigned bits;
+
+        int operator*() const { return numbers[std::countr_zero(bits)]; }
+        Iterator& operator++() {
+            bits &= bits - 1;
+            return *this;
+        }
+        bool operator!=(End) const { return bits != 0; }
+    };
+    Iterator begin() const { return {numbers_, bits_}; }
+    End end() const { return {}; }
+
+  private:
+    const std::int32_t* numbers_;
+    unsigned bits_;
+};
 
 }  // namespace rt

@@ -1,6 +1,8 @@
 #pragma once
 #include <array>
 #include <rt/box.hpp>
+#include <rt/box_pack.hpp>
+#include <rt/hit_box.hpp>
 #include <rt/vector_registers.hpp>
 #include <rt/wide.hpp>
 #include <rt/wide_child.hpp>
@@ -36,20 +38,19 @@ struct BoxesHit {
 template <class Number>
 RT_INLINED BoxesHit<Number> hit_boxes(const WideNode<Number>& node, const WideRay<Number>& ray,
                                       Number min, Number max) {
+    using Pack = Part<Number>;
     BoxesHit<Number> hit;
     for (std::size_t first = 0; first < lanes; first += part_size<Number>) {
-        Part<Number> in = min - Part<Number>{}, out = max - Part<Number>{};
-        for (std::size_t k = 0; k < 3; ++k) {
-            const Part<Number> near = load<Part<Number>>(&node.planes[ray.near(k)][k][first]),
-                               far = load<Part<Number>>(&node.planes[1 - ray.near(k)][k][first]);
-            const Part<Number> entry = RT_FUSED(near, ray.inverse[k], ray.near_start[k]),
-                               exit = RT_FUSED(far, ray.inverse[k], ray.far_start[k]);
-            // A t that is NaN fails the comparison, and its plane does not count.
-            in = entry > in ? entry : in;
-            out = exit < out ? exit : out;
-        }
-        store(in, &hit.entry[first]);
-        hit.met |= RT_VECTOR_BITS(in <= out) << first;
+        const auto corner = [&](std::size_t side) -> Vec3Of<Pack> {
+            const auto& planes = node.planes[side];
+            return {load<Pack>(&planes[0][first]), load<Pack>(&planes[1][first]),
+                    load<Pack>(&planes[2][first])};
+        };
+        // min - Pack{} is a pack with min in every lane.
+        const IntervalPack<Pack> part = hit_box(BoxPack<Pack>{corner(0), corner(1)}, ray,
+                                                IntervalPack<Pack>{min - Pack{}, max - Pack{}});
+        store(part.min, &hit.entry[first]);
+        hit.met |= RT_VECTOR_BITS(part.min <= part.max) << first;
     }
     return hit;
 }

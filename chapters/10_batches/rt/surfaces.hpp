@@ -61,24 +61,16 @@ struct Surfaces {
     std::vector<std::int32_t> materials;  // each sphere's, as in SceneSphere
 
     Surfaces(const WideTree& tree, const Materials& set) {
-        resize(0);
-        for (const SphereLeaf& leaf : tree.leaves)
-            for (std::size_t i = 0; i < lanes && leaf.is_used(i); ++i) {
-                const auto number = static_cast<std::size_t>(leaf.number[i]);
-                if (number >= all.size()) resize(number + 1);
-                const Sphere sphere = leaf.sphere(i);
-                all[number] = {sphere.center, sphere.radius, 0, {}};
-                materials[number] = leaf.material[i];
-                set_material(number, set);
-            }
+        kinds.resize(tree.places.size() + 1, std::uint8_t{1} << sky);
+        for (std::size_t number = 0; number < tree.places.size(); ++number) {
+            const SceneSphere sphere = tree.shape(static_cast<std::int32_t>(number));
+            all.push_back({sphere.shape.center, sphere.shape.radius, 0, {}});
+            materials.push_back(sphere.material);
+            set_material(number, set);
+        }
     }
 
   private:
-    void resize(std::size_t size) {
-        all.resize(size);
-        kinds.resize(size + 1, std::uint8_t{1} << sky);
-        materials.resize(size);
-    }
     void set_material(std::size_t number, const Materials& set) {
         const auto& element = set.materials[static_cast<std::size_t>(materials[number])];
         kinds[number + 1] = static_cast<std::uint8_t>(1u << Types::index(element));

@@ -9,7 +9,7 @@
 namespace rt {
 
 // A leaf with up to eight triangles (given). A quick test of all triangles at once finds the few
-// that the ray may meet. hit_triangle then tests these, so each t is that of 12.1, bit for bit.
+// that hit_triangle (12.1) must test.
 template <>
 struct alignas(64) WideLeaf<SceneTriangle> {
     // Coordinates by corner, then by axis. Unused lanes hold NaN, so that no ray hits them.
@@ -29,16 +29,12 @@ struct alignas(64) WideLeaf<SceneTriangle> {
         number[place] = its_number;
         material[place] = triangle.material;
     }
-    Triangle triangle(std::size_t i) const {
+    // A triangle's number in the tree is its number in the scene.
+    SceneTriangle shape(std::size_t i) const {
         const auto point = [&](std::size_t k) {
             return Vec3{corner[k][0][i], corner[k][1][i], corner[k][2][i]};
         };
-        return {point(0), point(1), point(2)};
-    }
-    // A triangle's number in the tree is its number in the scene.
-    Hit hit(std::int32_t place, const Ray& ray, Real t) const {
-        const auto i = static_cast<std::size_t>(place);
-        return surface_hit(SceneTriangle{triangle(i), material[i], number[i]}, ray, t);
+        return {{point(0), point(1), point(2)}, material[i], number[i]};
     }
 };
 using TriangleLeaf = WideLeaf<SceneTriangle>;
@@ -63,29 +59,19 @@ struct TrianglePart {
     }
     RT_INLINED Reals area(std::size_t p, std::size_t q) const { return x[p] * y[q] - y[p] * x[q]; }
 
-    // The triangles that the ray's line may meet, as bits.
-    RT_INLINED unsigned candidates() const {
+    RT_INLINED unsigned line_may_meet() const {
         const Reals a = area(1, 2), b = area(2, 0), c = area(0, 1);
         return RT_VECTOR_BITS(((a >= 0) & (b >= 0) & (c >= 0)) | ((a <= 0) & (b <= 0) & (c <= 0)));
     }
 };
 
-// Looks for hits of the ray with a leaf's triangles, at a t from min to best.t, and returns whether
-// `best` has changed. Of equally near triangles, the one with the highest number counts.
-RT_INLINED bool hit_leaf(const TriangleLeaf& leaf, const Ray& ray, Real min, WideHit& best) {
+// The triangles of a leaf that the ray's line may meet, as bits.
+RT_INLINED unsigned may_meet(const TriangleLeaf& leaf, const Ray& ray, Interval) {
     const ShearedRay sheared{ray};
-    unsigned candidates = 0;
+    unsigned met = 0;
     for (std::size_t first = 0; first < lanes; first += part_size<Real>)
-        candidates |= TrianglePart{leaf, first, sheared}.candidates() << first;
-    bool changed = false;
-    for (; candidates; candidates &= candidates - 1) {
-        const auto i = static_cast<std::size_t>(std::countr_zero(candidates));
-        const auto hit = hit_triangle(leaf.triangle(i), ray, {min, best.t});
-        if (!hit || (hit->t == best.t && leaf.number[i] < best.number)) continue;
-        best = {hit->t, leaf.number[i], static_cast<std::int32_t>(i)};
-        changed = true;
-    }
-    return changed;
+        met |= TrianglePart{leaf, first, sheared}.line_may_meet() << first;
+    return met;
 }
 
 using TriangleTree = WideTreeOf<SceneTriangle>;

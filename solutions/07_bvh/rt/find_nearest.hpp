@@ -1,6 +1,5 @@
 #pragma once
 #include <rt/search.hpp>
-#include <rt/tree.hpp>
 
 namespace rt {
 
@@ -11,24 +10,23 @@ template <class AnySearch>
 void try_shape(int number, AnySearch& search) {
     const auto t = search.meets_shape(number);
     if (!t) return;
-    // The interval ends at the nearest hit so far, so t is not larger.
-    if (search.nearest >= 0 && *t == search.within.max && number < search.nearest) return;
+    // The interval ends at the nearest hit so far, so t is not larger. Before any hit, `nearest` is
+    // -1, and no number is less.
+    if (*t == search.within.max && number < search.nearest) return;
     search.within.max = *t;
     search.nearest = number;
 }
 
-// Tests every shape below a node that may give a nearer hit than the nearest so far. If the ray
-// does not meet a box, everything in it is skipped.
-template <class AnySearch>
-void find_nearest(const TreeNode& node, AnySearch& search) {
-    if (!search.meets(node.box)) return;
+// Tests every shape below a node that may give a nearer hit than the nearest so far. The nearest
+// child comes first: a hit in it makes the search in the others shorter.
+template <class AnyNode, class AnySearch>
+void find_nearest(const AnyNode& node, AnySearch& search) {
     if (node.is_leaf()) {
-        for (int place = node.first; place < node.first + node.count; ++place)
-            try_shape(search.order[static_cast<std::size_t>(place)], search);
+        for (const int number : search.shapes_in(node)) try_shape(number, search);
         return;
     }
-    find_nearest(*node.left, search);
-    find_nearest(*node.right, search);
+    for (const auto& child : search.children_of(node))
+        if (search.reaches(child)) find_nearest(child.node(), search);
 }
 
 }  // namespace rt

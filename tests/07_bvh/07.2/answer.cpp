@@ -12,7 +12,7 @@ rt::Box join(const rt::Box& a, const rt::Box& b) {
     return rt::join(a, b);
 }
 
-bool hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
+rt::Interval hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
     return rt::hit_box(box, ray, within);
 }
 

@@ -6,7 +6,7 @@
 
 namespace answer EXPORTED {
 
-bool hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
+rt::Interval hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
     return rt::hit_box(box, ray, within);
 }
 
@@ -23,6 +23,14 @@ void find_nearest(const rt::TreeNode& node, rt::Search& search) {
 }
 
 void find_nearest(const rt::TreeNode& node, MovedSearch& search) {
+    rt::find_nearest(node, search);
+}
+
+void find_nearest(const rt::TreeNode& node, ShadowSearch& search) {
+    rt::find_nearest(node, search);
+}
+
+void find_nearest(const ManyNode& node, ManySearch& search) {
     rt::find_nearest(node, search);
 }
 

@@ -43,16 +43,13 @@ void check_scene(const std::string& name, const Spheres& spheres, int rays) {
                 first = std::string(structure) + ", " + checkpoint::text(ray) + ": " + text(found) +
                         " instead of " + text(expected);
         };
-        const auto of = [](const rt::Search& s) { return Winner{s.nearest, s.within.max}; };
-        const auto wide_of = [](const auto& found) {
-            return Winner{found.best.number, found.best.t};
-        };
+        const auto of = [](const auto& s) { return Winner{s.nearest, s.within.max}; };
         compare("sorted tree", of(all.sorted.search(ray, within)));
         compare("tree by area", of(all.by_area.search(ray, within)));
         compare("flat in order", of(all.flat.search_in_order(ray, within)));
         compare("flat nearest first", of(all.flat.search_nearest_first(ray, within)));
-        compare("8-wide in float", wide_of(all.wide_float.search(ray, within)));
-        compare("8-wide", wide_of(all.wide.search(ray, within)));
+        compare("8-wide in float", of(all.wide_float.search(ray, within)));
+        compare("8-wide", of(all.wide.search(ray, within)));
     }
     INFO(name << ": " << wrong << " wrong, the first: " << first);
     CHECK(wrong == 0);
@@ -100,8 +97,8 @@ TEST_CASE("rays along an axis as nearly as numbers can", "[given][rays]") {
         const Ray ray{aim.center + aim.radius * beside - rng.uniform(0, 4) * scale * direction,
                       direction};
         const int expected = linear(spheres, ray, {}).sphere;
-        wrong += all.wide_float.search(ray, {}).best.number != expected;
-        wrong += all.wide.search(ray, {}).best.number != expected;
+        wrong += all.wide_float.search(ray, {}).nearest != expected;
+        wrong += all.wide.search(ray, {}).nearest != expected;
     }
     CHECK(wrong == 0);
 }
@@ -147,8 +144,8 @@ TEST_CASE("the search ends even for invalid rays, and for rays from very far awa
             CHECK(all.sorted.search(ray, {}).nearest == expected);
             CHECK(all.flat.search_in_order(ray, {}).nearest == expected);
             CHECK(all.flat.search_nearest_first(ray, {}).nearest == expected);
-            CHECK(all.wide_float.search(ray, {}).best.number == expected);
-            CHECK(all.wide.search(ray, {}).best.number == expected);
+            CHECK(all.wide_float.search(ray, {}).nearest == expected);
+            CHECK(all.wide.search(ray, {}).nearest == expected);
         }
     }
 }
@@ -227,8 +224,9 @@ TEST_CASE("a million spheres", "[given][million]") {
     const rt::SphereTree tree = rt::make_tree(spheres, rt::split_in_half);
     CHECK(levels_of(*tree.root) <= 19);
     const auto wide = rt::make_wide_tree<float>(spheres);
-    const std::size_t bytes =
-        wide.nodes.size() * sizeof(wide.nodes[0]) + wide.leaves.size() * sizeof(wide.leaves[0]);
+    const std::size_t bytes = wide.nodes.size() * sizeof(wide.nodes[0]) +
+                              wide.leaves.size() * sizeof(wide.leaves[0]) +
+                              wide.places.size() * sizeof(wide.places[0]);
     INFO(static_cast<double>(bytes) / 1e6 << " bytes per sphere, including all that a hit needs");
     CHECK(bytes <= 120'000'000);
     rt::Rng rng{77, 1};
@@ -236,7 +234,7 @@ TEST_CASE("a million spheres", "[given][million]") {
         const Ray ray = any_ray(spheres, rng, i);
         const rt::Search found = tree.search(ray, {});
         const auto wide_found = wide.search(ray, {});
-        REQUIRE(found.nearest == wide_found.best.number);
-        if (found.nearest >= 0) REQUIRE(same_bits(found.within.max, wide_found.best.t));
+        REQUIRE(found.nearest == wide_found.nearest);
+        if (found.nearest >= 0) REQUIRE(same_bits(found.within.max, wide_found.within.max));
     }
 }

@@ -29,12 +29,12 @@ void check_tree(const std::vector<SceneTriangle>& all, const std::vector<Ray>& r
         const Interval within{0, rt::infinity};
         const Nearest expected = of_list(all, ray, within);
         const auto found = tree.search(ray, within);
-        const bool same = found.best.number == expected.number &&
-                          (expected.number < 0 || found.best.t == expected.t);
+        const bool same = found.nearest == expected.number &&
+                          (expected.number < 0 || found.within.max == expected.t);
         if (!same || tree.occluded(ray, within) != (expected.number >= 0)) {
             INFO(text(ray) << ": a list finds " << expected.number << " at " << text(expected.t)
-                           << ", the wide tree " << found.best.number << " at "
-                           << text(found.best.t));
+                           << ", the wide tree " << found.nearest << " at "
+                           << text(found.within.max));
             REQUIRE(same);
             REQUIRE(tree.occluded(ray, within) == (expected.number >= 0));
         }

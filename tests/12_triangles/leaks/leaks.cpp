@@ -80,13 +80,13 @@ int main(int argc, char** argv) {
     std::printf("%zu triangles, %ld million rays, %s\n", ball.size(), millions,
                 sizeof(Real) == 4 ? "float" : "double");
     std::printf("watertight: %ld leaks\n", count_leaks(ball, millions, [&](const Ray& ray) {
-                    return tree.search(ray, {}).leaf != nullptr;
+                    return tree.search(ray, {}).nearest >= 0;
                 }));
     std::fflush(stdout);
     const long fewer = std::min(millions, 10L);
     std::printf(
         "plain: %ld leaks of %ld million rays\n",
         count_leaks(ball, fewer,
-                    [&](const Ray& ray) { return plain_tree.search(ray, {}).leaf != nullptr; }),
+                    [&](const Ray& ray) { return plain_tree.search(ray, {}).nearest >= 0; }),
         fewer);
 }

@@ -100,7 +100,8 @@ int main(int argc, char** argv) {
     const TriangleTree tree = make_wide_tree(all);
     const EmbreeTriangles embree{mesh};
     const auto ours = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +
-                                          tree.leaves.size() * sizeof(tree.leaves[0]));
+                                          tree.leaves.size() * sizeof(tree.leaves[0]) +
+                                          tree.places.size() * sizeof(tree.places[0]));
     std::printf(
         "%.0f triangles; bytes a triangle: chapter 07 %.1f, Embree %.1f with its copy of "
         "the mesh\n",
@@ -122,14 +123,14 @@ int main(int argc, char** argv) {
         int differ = 0;
         for (const Ray& ray : *rays) {
             const auto theirs = embree.search(ray);
-            const auto mine = tree.search(ray, {}).best;
-            differ += mine.number != (theirs.hit.geomID == RTC_INVALID_GEOMETRY_ID
-                                          ? -1
-                                          : static_cast<int>(theirs.hit.primID));
+            const auto mine = tree.search(ray, {}).nearest;
+            differ += mine != (theirs.hit.geomID == RTC_INVALID_GEOMETRY_ID
+                                   ? -1
+                                   : static_cast<int>(theirs.hit.primID));
         }
         print(rays == &seen ? "camera rays" : "bounced rays",
               {[&] {
-                   for (const Ray& ray : *rays) study::keep(tree.search(ray, {}).best);
+                   for (const Ray& ray : *rays) study::keep(tree.search(ray, {}));
                },
                [&] {
                    for (const Ray& ray : *rays) study::keep(embree.search(ray));

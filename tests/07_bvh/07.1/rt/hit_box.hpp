@@ -1,11 +1,17 @@
 #pragma once
+#include <array>
 #include <rt/box.hpp>
 #include <rt/interval.hpp>
 #include <rt/slab_ray.hpp>
+#include <rt/wide.hpp>
 
 namespace answer {
 
-bool hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within);
+rt::Interval hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within);
+
+// The same for eight boxes, as many at once as fit into a register.
+rt::Lanes<rt::Interval> hit_eight(const rt::Lanes<rt::Box>& boxes, const rt::SlabRay& ray,
+                                  rt::Interval within);
 
 }  // namespace answer
 

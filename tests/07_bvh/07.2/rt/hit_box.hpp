@@ -7,7 +7,7 @@
 
 namespace answer {
 
-bool hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within);
+rt::Interval hit_box(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within);
 
 }  // namespace answer
 

@@ -10,6 +10,8 @@ void try_shape(int number, rt::Search& search);
 void try_shape(int number, MovedSearch& search);
 void find_nearest(const rt::TreeNode& node, rt::Search& search);
 void find_nearest(const rt::TreeNode& node, MovedSearch& search);
+void find_nearest(const rt::TreeNode& node, ShadowSearch& search);
+void find_nearest(const ManyNode& node, ManySearch& search);
 
 }  // namespace answer
 

@@ -1,0 +1,68 @@
+#pragma once
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <rt/nearest_first.hpp>
+#include <rt/wide_leaf.hpp>
+#include <rt/wide_node.hpp>
+
+namespace rt {
+
+// A child whose box a ray meets, and where the ray enters the box.
+template <class Number>
+struct MetWideChild {
+    Number entry;
+    WideChild place;
+    WideChild node() const { return place; }
+};
+
+// One ray on its way through a WideTreeOf, and the nearest hit so far (given). It has the functions
+// of SearchOf, so that find_nearest (07.4) searches this tree, too; a WideChild is a node of it.
+template <class Tree>
+struct WideSearch {
+    using Number = typename Tree::BoxNumber;
+    using Child = MetWideChild<Number>;
+
+    const Tree& tree;
+    Ray ray;
+    WideRay<Number> wide;
+    Interval within;    // its upper end moves down to the nearest hit
+    int nearest;        // the number of the shape that was hit there
+    int box_tests = 0;  // eight tests at once count as one
+    int shape_tests = 0;
+    const typename Tree::Leaf* leaf = nullptr;  // the last one that was visited
+
+    RT_INLINED NearestFirst<Child, lanes> children_of(WideChild child) {
+        ++box_tests;
+        const WideNode<Number>& node = tree.nodes[static_cast<std::size_t>(child.number())];
+        const Interval in = with_origin(within);
+        const BoxesHit<Number> hit = hit_boxes(node, wide, scaled(in.min), scaled(in.max));
+        NearestFirst<Child, lanes> met;
+        for (unsigned bits = hit.met; bits; bits &= bits - 1) {
+            const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+            met.add({hit.entry[i], node.child[i]});
+        }
+        return met;
+    }
+    RT_INLINED bool reaches(const Child& child) const {
+        return child.entry <= scaled(with_origin(within).max);
+    }
+    RT_INLINED SomeOfLeaf shapes_in(WideChild child) {
+        ++shape_tests;
+        leaf = &tree.leaves[static_cast<std::size_t>(child.number())];
+        return {leaf->number, may_meet(*leaf, ray, within)};
+    }
+    decltype(auto) shape(int number) const { return tree.shape(number); }
+    // The shape is in the last leaf, where it is found at once.
+    RT_INLINED std::optional<Real> meets_shape(int number) const {
+        const unsigned place = leaf ? places_of(number, leaf->number) : 0;
+        if (place == 0) return hit_shape(shape(number), ray, within);
+        return hit_shape(leaf->shape(static_cast<std::size_t>(std::countr_zero(place))), ray,
+                         within);
+    }
+
+  private:
+    Number scaled(Real t) const { return static_cast<Number>(t * wide.scale); }
+};
+
+}  // namespace rt
