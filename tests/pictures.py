@@ -475,8 +475,8 @@ for name, width, height, times, mistakes in (
         ("05_metal_glass", 400, 225, 2, "05.1_wrong_sign 05.2_darkens 05.2_fuzz_around_normal "
          "05.3_ratio_upside_down 05.3_stays_on_this_side 05.5_never_reflects 05.5_lots_swapped "
          "05.5_always_entering 05.5_outward_normal 05.5_total_reflection_is_lost"),
-        ("07_bvh", 400, 286, 2, "07.2_radius_once 07.3_drops_the_middle 07.3_always_x 07.4_stops_at_first "
-         "07.4_place_as_number 07.4_tests_everything 07.1_forgets_interval"),
+        ("07_bvh", 400, 286, 2, "07.2_radius_once 07.3_drops_the_middle 07.3_always_x "
+         "07.4_only_nearest_child 07.4_farthest_first"),
         ("10_batches", 320, 180, 1, "10.2_first_child_only 10.3_farther"),
         ("11_samples", 400, 225, 2, "11.5_by_channel")):
     for mistake in mistakes.split():

@@ -67,25 +67,33 @@ struct Test {
     const rt::TreeNode* node = nullptr;  // whose box was tested; none: a sphere
     int sphere = -1;
     bool met = false;
-    bool behind = false;   // the ray meets the box, but behind the nearest hit
+    bool behind = false;   // the ray meets the box, but behind a hit that was found later
     bool nearest = false;  // the nearest hit so far
     double reach = 0;      // the nearest hit before this test
 };
 
 // A search that records its tests. find_nearest does the rest.
 struct Recorded : rt::Search {
-    std::span<const rt::TreeNode* const> nodes;
     std::vector<Test> tests = {};
 
-    bool meets(const rt::Box& box) {
-        const auto node = std::find_if(nodes.begin(), nodes.end(),
-                                       [&](const auto* one) { return &one->box == &box; });
-        if (node == nodes.end()) std::abort();  // a copy of a box: the figure cannot tell whose
-        const double reach = within.max;
-        const bool met = rt::Search::meets(box);
-        tests.push_back(
-            {*node, -1, met, !met && rt::hit_box(box, slabs, {0, rt::infinity}), false, reach});
+    bool meets_box_of(const rt::TreeNode& node) {
+        const auto meets_within = [&](rt::Interval t) {
+            const rt::Interval part = rt::hit_box(node.box, slabs, t);
+            return part.min <= part.max;
+        };
+        const bool met = meets_within(within), behind = !met && meets_within({0, rt::infinity});
+        tests.push_back({&node, -1, met, behind, false, within.max});
         return met;
+    }
+    auto children_of(const rt::TreeNode& node) {
+        meets_box_of(*node.left);
+        meets_box_of(*node.right);
+        return rt::Search::children_of(node);
+    }
+    bool reaches(const rt::MetChild& child) {
+        const bool reached = rt::Search::reaches(child);
+        if (!reached) tests.push_back({&child.node(), -1, false, true, false, within.max});
+        return reached;
     }
     std::optional<rt::Real> meets_shape(int number) {
         const double reach = within.max;
@@ -110,24 +118,16 @@ std::vector<rt::SceneSphere> make_crowd() {
     return crowd;
 }
 
-// The tree over the crowd, and its nodes in the order of a walk.
+// The tree over the crowd.
 struct Tree {
     std::vector<rt::SceneSphere> spheres = make_crowd();
     std::vector<int> order = numbers_up_to(spheres.size());
     std::unique_ptr<rt::TreeNode> root;
-    std::vector<const rt::TreeNode*> nodes;
 
     explicit Tree(bool by_area) {
         const std::vector<rt::Box> boxes = boxes_of(spheres);
         root = by_area ? rt::build_node(order, 0, boxes, rt::split_by_area)
                        : rt::build_node(order, 0, boxes, rt::split_in_half);
-        walk(*root);
-    }
-    void walk(const rt::TreeNode& node) {
-        nodes.push_back(&node);
-        if (node.is_leaf()) return;
-        walk(*node.left);
-        walk(*node.right);
     }
 };
 
@@ -180,9 +180,10 @@ class TreeDrawing {
                 top_ + 8 + level_ * level};
     }
     const Test* test_of(const rt::TreeNode& node) const {
-        const auto found = std::find_if(done_.begin(), done_.end(),
+        // The last one: a box that was met may have been skipped later.
+        const auto found = std::find_if(done_.rbegin(), done_.rend(),
                                         [&](const Test& test) { return test.node == &node; });
-        return found == done_.end() ? nullptr : &*found;
+        return found == done_.rend() ? nullptr : &*found;
     }
 
     void draw_node(const rt::TreeNode& node, int level, bool is_skipped) {
@@ -237,9 +238,10 @@ void say_step(Drawing& out, const Test& last, std::size_t step, std::size_t coun
     if (last.node) {
         const int below = spheres_below(*last.node);
         out.say(last.met && last.node->is_leaf()
-                    ? "Step {} of {}: the ray meets the box of a leaf, so its spheres are "
-                      "tried: {}."
-                : last.met ? "Step {} of {}: the ray meets this box, so its two children come next."
+                    ? "Step {} of {}: the ray meets the box of a leaf. When its turn comes, its "
+                      "spheres are tried: {}."
+                : last.met    ? "Step {} of {}: the ray meets this box. When its turn comes, the "
+                                "boxes of its two children are tested."
                 : last.behind ? "Step {} of {}: this box begins behind the nearest hit. What is in "
                                 "it is skipped: {} of the spheres."
                               : "Step {} of {}: the ray misses this box. What is in it is skipped: "
@@ -265,9 +267,9 @@ void draw(const SearchControls& c, Drawing& out) {
     const rt::Vec3 direction = rt::normalize(rt::Vec3{tip.x - start.x, tip.y - start.y, 0});
     const double length = distance(start, tip);
     Recorded search{
-        {tree.spheres, tree.order, {{start.x, start.y, 0}, direction}, {0, rt::infinity}},
-        tree.nodes};
-    rt::find_nearest(*tree.root, search);
+        {tree.spheres, tree.order, {{start.x, start.y, 0}, direction}, {0, rt::infinity}}};
+    search.box_tests = 1;
+    if (search.meets_box_of(*tree.root)) rt::find_nearest(*tree.root, search);
     const std::size_t count = search.tests.size(),
                       step = std::min(count, static_cast<std::size_t>(c.step));
     const std::span done = std::span{std::as_const(search.tests)}.first(step);
@@ -549,24 +551,14 @@ SlabLayout slab_layout(double width) {
     return {{{width / 2, height / 2}, {2, 1.4}, scale}, height + 8, 10, width - 10};
 }
 
-// The t within an interval at which a ray is in a box, according to hit_box: it is asked about
-// parts of the interval, and halving them finds where its answer changes. It is not asked about
+// The part of an interval in which a ray is in a box, according to hit_box. It is not asked about
 // infinity, where a ray beside a slab and parallel to it has both its entry and its exit.
 rt::Interval when_inside(const rt::Box& box, const rt::SlabRay& ray, rt::Interval within) {
     constexpr double far = 1000;
-    const double start = std::max(within.min, -far), end = std::min(within.max, far);
-    const auto met_up_to = [&](double t) { return rt::hit_box(box, ray, {start, t}); };
-    const auto met_from = [&](double t) { return rt::hit_box(box, ray, {t, end}); };
-    const auto change = [](double met, double missed, const auto& meets) {
-        for (int i = 0; i < 100; ++i) {
-            const double middle = (met + missed) / 2;
-            (meets(middle) ? met : missed) = middle;
-        }
-        return met;
-    };
-    if (!met_up_to(end)) return {rt::infinity, -rt::infinity};
-    return {met_up_to(start) ? within.min : change(end, start, met_up_to),
-            met_from(end) ? within.max : change(start, end, met_from)};
+    const rt::Interval near{std::max(within.min, -far), std::min(within.max, far)};
+    const rt::Interval part = rt::hit_box(box, ray, near);
+    return {part.min == near.min ? within.min : part.min,
+            part.max == near.max ? within.max : part.max};
 }
 
 // A bar on the number line, with a point where it goes on beyond the line's end.
@@ -620,7 +612,7 @@ void draw(const SlabControls& c, Drawing& out) {
     for (Slab& slab : slabs) slab.t = when_inside(slab.box, ray, {-all, all});
     const auto& [x, y] = slabs;
     const rt::Interval both = when_inside(box, ray, {0, all});
-    const bool hit = length > 0 && rt::hit_box(box, ray, {0, all});
+    const bool hit = length > 0 && !both.is_empty();
 
     // The slabs, the box where they cross, and the ray.
     const Point low = at.to_page(in_plane(box.low)), high = at.to_page(in_plane(box.high));

@@ -15,6 +15,7 @@ namespace rt {
 // for spheres follows.
 template <class Shape>
 struct WideLeaf {
+    using ReadyRay = Ray;  // a Ray with what the leaves' tests need of it, computed once
     Lanes<Shape> shapes{};
     Lanes<std::int32_t> number{};  // of each shape in the scene
     std::size_t count = 0;
@@ -31,6 +32,7 @@ struct WideLeaf {
 // The same for spheres, which are tested all at once.
 template <>
 struct alignas(64) WideLeaf<SceneSphere> {
+    using ReadyRay = Ray;
     static constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
 
     // Unused lanes have NaN as their radius: no ray hits them.

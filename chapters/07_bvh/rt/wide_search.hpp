@@ -24,7 +24,7 @@ struct WideSearch {
     using Child = MetWideChild<Number>;
 
     const Tree& tree;
-    Ray ray;
+    typename Tree::Leaf::ReadyRay ray;
     WideRay<Number> wide;
     Interval within;    // its upper end moves down to the nearest hit
     int nearest;        // the number of the shape that was hit there

@@ -18,6 +18,7 @@ template <class Shape, class Number = float>
 struct WideTreeOf {
     using BoxNumber = Number;
     using Leaf = WideLeaf<Shape>;
+    using ReadyRay = typename Leaf::ReadyRay;
     std::vector<WideNode<Number>> nodes;  // the first is the root; empty without shapes
     std::vector<WideLeaf<Shape>> leaves;
     std::vector<std::uint32_t> places;  // of each shape: lanes * its leaf + its place there
@@ -35,7 +36,7 @@ struct WideTreeOf {
     using Search = WideSearch<WideTreeOf>;
 
     Search search(const Ray& ray, Interval within) const {
-        Search search{*this, ray, wide_ray<Number>(ray), within, -1};
+        Search search{*this, ReadyRay{ray}, wide_ray<Number>(ray), within, -1};
         if (!nodes.empty()) find_nearest(WideChild::node(0), search);
         return search;
     }
@@ -44,7 +45,7 @@ struct WideTreeOf {
     // hit on shape `number` at within.max may already be known.
     RT_INLINED Search search(const Ray& ray, const WideRay<Number>& wide, Interval within,
                              WideChild child, std::int32_t number) const {
-        Search search{*this, ray, wide, within, number};
+        Search search{*this, ReadyRay{ray}, wide, within, number};
         find_nearest(child, search);
         return search;
     }
@@ -60,7 +61,7 @@ struct WideTreeOf {
     template <class AnyRay>
     bool occluded(const AnyRay& any_ray, Interval within, std::int32_t number = -1) const {
         const Ray& ray = any_ray;  // no copy if any_ray is a plain Ray
-        AnyHit<Search> search{{*this, ray, wide_ray<Number>(ray), within, number}};
+        AnyHit<Search> search{{*this, ReadyRay{ray}, wide_ray<Number>(ray), within, number}};
         if (!nodes.empty()) find_nearest(WideChild::node(0), search);
         return search.found();
     }

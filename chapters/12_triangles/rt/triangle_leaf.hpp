@@ -8,10 +8,17 @@
 
 namespace rt {
 
+// A ray that is ready for the tests of leaves.
+struct TriangleRay : Ray {
+    ShearedRay sheared;
+    explicit TriangleRay(const Ray& ray) : Ray{ray}, sheared{ray} {}
+};
+
 // A leaf with up to eight triangles (given). A quick test of all triangles at once finds the few
 // that hit_triangle (12.1) must test.
 template <>
 struct alignas(64) WideLeaf<SceneTriangle> {
+    using ReadyRay = TriangleRay;
     // Coordinates by corner, then by axis. Unused lanes hold NaN, so that no ray hits them.
     std::array<std::array<Lanes<Real>, 3>, 3> corner;
     Lanes<std::int32_t> number{}, material{};
@@ -66,11 +73,10 @@ struct TrianglePart {
 };
 
 // The triangles of a leaf that the ray's line may meet, as bits.
-RT_INLINED unsigned may_meet(const TriangleLeaf& leaf, const Ray& ray, Interval) {
-    const ShearedRay sheared{ray};
+RT_INLINED unsigned may_meet(const TriangleLeaf& leaf, const TriangleRay& ray, Interval) {
     unsigned met = 0;
     for (std::size_t first = 0; first < lanes; first += part_size<Real>)
-        met |= TrianglePart{leaf, first, sheared}.line_may_meet() << first;
+        met |= TrianglePart{leaf, first, ray.sheared}.line_may_meet() << first;
     return met;
 }
 
