@@ -190,7 +190,7 @@ class Maker:
         elif type_name in WIDE_INTEGERS:
             self.add(cursor, f"static_cast<std::decay_t<decltype({text})>>(static_cast<std::uint32_t>({text}))")
 
-    # A value: 1000 epsilon off, but not all components alike, since a vector that will be normalized may have any length.
+    # A value: 1000 epsilon off, but not all components alike, since a vector may be normalized later.
     def slightly_off(self, cursor):
         while True:
             parts = [part for part in cursor.get_children() if part.kind not in (Kind.TYPE_REF, Kind.NAMESPACE_REF)]
@@ -536,7 +536,7 @@ class Answer:
         self.place.mkdir(parents=True, exist_ok=True)
         self.is_library = any(f.name == "answer.cpp" for f in map(pathlib.Path, (c["file"] for c in self.compiles)))
         self.result = self.place / (f"libanswer.{exercise}.so" if self.is_library else f"answer.{exercise}")
-        self.slow = []  # test cases
+        self.cases, self.slow = set(), []  # test cases
         self.likely = []  # quick test cases that stopped mutants, the last first
 
     def words(self, command, edited):
@@ -617,16 +617,21 @@ class Answer:
         cases = re.findall(r'<TestCase name="([^"]*)"(.*?)(?=<TestCase |\Z)', done[1] if done else "", re.S)
         return {html.unescape(name) for name, said in cases if '<OverallResult success="true"' not in said}
 
-    def too_tolerant(self, mutants, names):
-        """Which of these test cases notice a value that is 2 % too large, but none that is 1000 epsilon off?"""
-        slight = {(m.file, m.start, m.end): m.number for m in mutants if m.text.startswith(SLIGHTLY_OFF)}
-        large = {(m.file, m.start, m.end): m.number for m in mutants if m.text.endswith(TOO_LARGE)}
+    def noticing_much(self, mutants, names):
+        """Which of these test cases notice a value that is 2 % too large?"""
+        slight = {(m.file, m.start, m.end) for m in mutants if m.text.startswith(SLIGHTLY_OFF)}
         noticing = set()
-        for place in sorted(slight.keys() & large.keys()):
-            noticing |= self.failing(large[place], set(names) - noticing)
-        for number in slight.values():
-            noticing -= self.failing(number, noticing)
+        for mutant in mutants:
+            if mutant.text.endswith(TOO_LARGE) and (mutant.file, mutant.start, mutant.end) in slight:
+                noticing |= self.failing(mutant.number, names - noticing)
         return noticing
+
+    def noticing_nothing_slight(self, mutants, names):
+        """Which of these test cases notice no value that is 1000 epsilon off?"""
+        for mutant in mutants:
+            if mutant.text.startswith(SLIGHTLY_OFF):
+                names = names - self.failing(mutant.number, names)
+        return names
 
     def measure(self, words):
         """Runs these test cases on the solution. Returns what it prints, None if it fails, and the arguments with which
@@ -643,7 +648,7 @@ class Answer:
             return False
         self.parts = [whole]
         times = re.findall(r"^([\d.]+) s: (.*)$", said, re.M)
-        self.cases = [name for _, name in times]
+        self.cases = {name for _, name in times}
         slow = [name for seconds, name in times if float(seconds) > 0.2]
         if not 0 < len(slow) < len(times):
             return True
@@ -778,7 +783,7 @@ def run_exercise(exercise, build, float_too, log):
             surviving.append(mutant)
         else:
             stopped += 1
-    tolerant = answer.too_tolerant(chosen, answer.cases)
+    tolerant = answer.noticing_nothing_slight(chosen, answer.noticing_much(chosen, answer.cases))
     doubtful = {name for name in tolerant if name + TOLERANT not in allowed}
     if float_too and (doubtful or any(m.form != "alone" and m.key not in allowed for m in surviving)):
         narrow = Answer(build, exercise.id, "float", folder)
@@ -797,14 +802,14 @@ def run_exercise(exercise, build, float_too, log):
                 else:
                     stopped += 1
             surviving = left
-            doubtful = narrow.too_tolerant(chosen, doubtful)
+            doubtful = narrow.noticing_nothing_slight(chosen, doubtful)
         else:
             log(f"{exercise.id}: the solution itself does not pass in float")
     equal = [m for m in surviving if m.key in allowed]
     surviving = [m for m in surviving if m.key not in allowed]
     keys = {m.key for m in mutants} | {name + TOLERANT for name in answer.cases}
     stale = sorted(k for k in allowed if k not in keys)
-    needless = {m.key for m in kept if m not in equal} | {name + TOLERANT for name in set(answer.cases) - tolerant}
+    needless = {m.key for m in kept if m not in equal} | {name + TOLERANT for name in answer.cases - tolerant}
     needless = sorted(needless & allowed)
     made = stopped + len(equal) + len(surviving)
     log(f"{exercise.id}  made {made:4}  stopped {stopped:4}  allowed {len(equal):3}  "
