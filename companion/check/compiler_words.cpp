@@ -253,18 +253,18 @@ const Meaning meanings[]{
      "Both values in `mask ? a : b` must be packs of the same type. `pack_of(x)` holds x in every "
      "lane, and `PackMask{} + n` the integer n. For vectors there is `pick(mask, a, b)`."},
     {"(__vector|vector of).* to .bool|type .bool. with .*vector of",
-     "A mask is true or false in each lane, but this place needs a single true or false. "
-     "`bits_of(mask) != 0` asks whether it is true in any lane, and `mask ? a : b` chooses lane by "
-     "lane."},
+     "Comparing packs gives a mask, which is true or false in each lane, but this place needs a "
+     "single true or false. `max(a, b)` and `min(a, b)`, without std::, choose lane by lane, and "
+     "so does `mask ? a : b`. `bits_of(mask) != 0` asks whether it is true in any lane."},
     {"call to .(sqrt|abs|min|max|copysign|fma)\\(.*rt::Pack",
      "The std:: functions take single numbers. The functions for packs have the same names, "
      "without std:: in front."},
     {"no matching function for call to .(max|min)\\b",
      "std::max and std::min need two values of the same type: write `Real(0)` instead of `0.0`."},
     {"(convert|conversion|initialize|assigning to).*(rt::Pack(Mask)?\\b|__vector|vector of)",
-     "One side is a pack and the other is not, or the two packs are of different kinds. "
-     "`pack_of(x)` holds x in every lane, and `PackMask{} + n` the integer n; `p[i]` is the number "
-     "in lane i."},
+     "One side is a pack and the other is not, or the two packs are of different kinds. In a "
+     "function that takes packs and single numbers, write `auto` instead of `Real`. `pack_of(x)` "
+     "holds x in every lane, and `PackMask{} + n` the integer n; `p[i]` is the number in lane i."},
     {"invalid operands.*(__vector|vector of)",
      "A mask and a pack of numbers cannot be combined. `&` and `|` combine two masks, and "
      "`mask ? a : b` chooses between two packs."},

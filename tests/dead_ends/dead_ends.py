@@ -3,14 +3,18 @@
 
   dead_ends.py make ROOT FOLDER    copies the solution's files into FOLDER/rt, where each function that
                                    an exercise asks for ends as its stub would if the environment
-                                   variable COURSE_STUB names that exercise
+                                   variable COURSE_STUB names that exercise, and gives a wrong answer if
+                                   COURSE_WRONG does: nothing, none, false or 0
   dead_ends.py run ROOT PROGRAM [NN.k]
-                                   renders the final scene, tiny, with each exercise (or this one)
-                                   in turn as its stub: PROGRAM must end with 3 and name it.
-                                   unused.json lists the exercises that cannot be noticed there,
-                                   and why. The material of 05.6 has a scene of its own: `compare`
-                                   puts the learner's final scene beside ours, and another material
-                                   is no mistake.
+                                   renders the final scene, tiny, with each exercise (or this one) in turn
+                                   as its stub: PROGRAM must end with 3 and name it. Then it renders it with
+                                   each wrong answer: one pixel in twenty must change, and one in three
+                                   for the tests of sphere and box and for the search, or PROGRAM must
+                                   end with an error. unused.json lists the exercises that no picture
+                                   needs there, and unseen.json those whose wrong answer it hides, with
+                                   the reason, which the text also gives. The material of 05.6 has a
+                                   scene of its own: `compare` puts the learner's final scene beside
+                                   ours, and another material is no mistake.
 """
 import json
 import os
@@ -21,7 +25,11 @@ import subprocess
 import sys
 
 SCENE = ["--quiet", "--width", "48", "--height", "27", "--spp", "4", "--depth", "12", "--threads", "2"]
+FINE = [*SCENE[:5], "--spp", "256", *SCENE[7:]]  # another seed changes one pixel in a hundred
 SCENE_FILES = {"05.6": "own.json"}  # in place of the final scene
+ONE_IN_THREE = {"03.2", "07.1", "07.4"}
+# What is not of the form {}: hit_box finds an empty interval, and a generator has no value of its own.
+NOTHING = {"hit_box": "{within.max, within.min}", "sample_rng": "Rng{0, 0}"}
 
 
 def exercises(root):
@@ -58,6 +66,14 @@ def functions(root, kind, files):
     return below(unit.cursor)
 
 
+def wrong_answer(function):
+    """What a function returns that finds nothing; None for a constructor."""
+    from clang import cindex
+    if function.kind == cindex.CursorKind.CONSTRUCTOR:
+        return None
+    return "" if function.result_type.spelling == "void" else NOTHING.get(function.spelling, "{}")
+
+
 def make(root, folder):
     root = root.resolve()
     files = [(chapter, file) for chapter, _, files in exercises(root) for file in files if file.endswith(".hpp")]
@@ -79,6 +95,9 @@ def make(root, folder):
             begin, brace = whole.extent.start.offset, body.extent.start.offset
             head = source[begin:brace].replace(b"constexpr ", b"inline ").replace(b" noexcept", b"")
             stub = f'{{ if (course::is_stub("{exercise}")) rt::todo("{exercise}");'
+            wrong = wrong_answer(whole) if exercise >= "01" else None
+            if wrong is not None:
+                stub += f' if (course::is_wrong("{exercise}")) return {wrong};'
             source = source[:begin] + head + stub.encode() + source[brace + 1:]
         source = source.replace(b"#pragma once", b"#pragma once\n#include <rt/is_stub.hpp>", 1)
         copy = folder / "rt" / path.name
@@ -87,34 +106,71 @@ def make(root, folder):
             copy.write_bytes(source)
 
 
+def drawn(program, root, exercise, settings, **environment):
+    """Runs the program: what came of it, and the pixels, if there are any."""
+    file = SCENE_FILES.get(exercise)
+    scene = [root / "chapters/08_effects/scenes" / file] if file else []
+    picture = pathlib.Path("dead_ends.ppm")
+    picture.unlink(missing_ok=True)
+    done = subprocess.run([program.absolute(), *scene, *settings, "--out", picture], capture_output=True, text=True,
+                          env={**os.environ, **environment}, timeout=60, check=False)
+    if not picture.exists():
+        return done, None
+    numbers = picture.read_bytes().split(b"\n", 3)[3]
+    return done, [numbers[i:i + 3] for i in range(0, len(numbers), 3)]
+
+
+def changed(pixels, right):
+    """The fraction of pixels that a person sees to have changed."""
+    return sum(max(abs(a - b) for a, b in zip(*both)) > 16 for both in zip(pixels, right)) / len(right)
+
+
 def run(root, program, only=None):
     unused = json.loads((root / "tests/dead_ends/unused.json").read_text())
+    unseen = json.loads((root / "tests/dead_ends/unseen.json").read_text())
+    right = {}
     wrong = 0
     for _, exercise, _ in exercises(root):
         if only not in (None, exercise):
             continue
-        file = SCENE_FILES.get(exercise)
-        scene = [root / "chapters/08_effects/scenes" / file] if file else []
-        command = [program.absolute(), *scene, *SCENE, "--out", "dead_ends.png"]
-        done = subprocess.run(command, capture_output=True, text=True,
-                              env={**os.environ, "COURSE_STUB": exercise}, timeout=60, check=False)
+        done, _ = drawn(program, root, exercise, SCENE, COURSE_STUB=exercise)
         # A destructor that throws ends the program at once: 00.4 is called by one.
         runs = (done.returncode in (3, -signal.SIGABRT) and
                 f"{exercise} is still to be written" in done.stderr)
-        if runs == (exercise not in unused) and (runs or done.returncode == 0):
-            print(exercise, "runs" if runs else "is not needed: " + unused[exercise])
+        if runs != (exercise not in unused) or not (runs or done.returncode == 0):
+            wrong += 1
+            if runs:
+                print(exercise, "runs after all: take it off tests/dead_ends/unused.json")
+            else:
+                print(f"{exercise}: as its stub, expected exit code 3 and its name, actual: exit code "
+                      f"{done.returncode}, {done.stderr.strip() or 'no word'}; if no picture needs it, "
+                      "tests/dead_ends/unused.json says why it is there")
             continue
-        wrong += 1
-        if runs:
-            print(exercise, "runs after all: take it off tests/dead_ends/unused.json")
-        else:
-            print(f"{exercise}: as its stub, expected exit code 3 and its name, actual: exit code "
-                  f"{done.returncode}, {done.stderr.strip() or 'no word'}; if no picture needs it, "
-                  "tests/dead_ends/unused.json says why it is there")
+        if not runs:
+            print(exercise, "is not needed: " + unused[exercise])
+            continue
+        if exercise < "01":
+            print(exercise, "runs")
+            continue
+        file = SCENE_FILES.get(exercise)
+        if file not in right:
+            right[file] = drawn(program, root, exercise, FINE)[1]
+        done, pixels = drawn(program, root, exercise, FINE, COURSE_WRONG=exercise)
+        least = 1 / 3 if exercise in ONE_IN_THREE else 1 / 20
+        failed = done.returncode != 0
+        share = 1 if failed else changed(pixels, right[file])
+        said = (f"ends with an error ({done.returncode})" if failed else
+                f"changes {100 * share:.1f} % of the pixels")
+        print(f"{exercise} runs; an answer that finds nothing {said}" +
+              (": " + unseen[exercise] if exercise in unseen else ""))
+        if (share < least) != (exercise in unseen):
+            wrong += 1
+            print(f"  expected at least {100 * least:.0f} %; if the scene hides it, tests/dead_ends/unseen.json and the "
+                  "text say why" if share < least else "  it shows: take it off tests/dead_ends/unseen.json")
     known = {exercise for _, exercise, _ in exercises(root)}
-    for exercise in unused.keys() - known:
+    for exercise in (unused.keys() | unseen.keys()) - known:
         wrong += 1
-        print(f"tests/dead_ends/unused.json names {exercise}, which course.json does not know")
+        print(f"tests/dead_ends/unused.json or unseen.json names {exercise}, which course.json does not know")
     sys.exit(1 if wrong else 0)
 
 

@@ -11,4 +11,10 @@ inline bool is_stub(const char* exercise) {
     return stub && std::strcmp(stub, exercise) == 0;
 }
 
+// Whether this exercise is to give a wrong answer.
+inline bool is_wrong(const char* exercise) {
+    static const char* const wrong = std::getenv("COURSE_WRONG");
+    return wrong && std::strcmp(wrong, exercise) == 0;
+}
+
 }  // namespace course
