@@ -22,5 +22,5 @@ for (const { label, command, args } of tasks)
     else assert.ok(existsSync(join(root, args[0])), `${label}: ${args[0]}`);
 for (const { name, preLaunchTask } of json('.vscode/launch.json').configurations)
     assert.ok(tasks.some(({ label }) => label === preLaunchTask), name);
-assert.match(json('.devcontainer/devcontainer.json').postCreateCommand, /\.\/course$/);
+assert.match(json('.devcontainer/devcontainer.json').postCreateCommand, / && \.\/course && \.\/course prepare$/);
 console.log(`${workflows.length} workflow, ${tasks.length} tasks: of the right form`);
