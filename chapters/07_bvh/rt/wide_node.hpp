@@ -38,17 +38,18 @@ struct BoxesHit {
 template <class Number>
 RT_INLINED BoxesHit<Number> hit_boxes(const WideNode<Number>& node, const WideRay<Number>& ray,
                                       Number min, Number max) {
-    using Pack = Part<Number>;
+    using Numbers = Part<Number>;
     BoxesHit<Number> hit;
     for (std::size_t first = 0; first < lanes; first += part_size<Number>) {
-        const auto corner = [&](std::size_t side) -> Vec3Of<Pack> {
+        const auto corner = [&](std::size_t side) -> Vec3Of<Numbers> {
             const auto& planes = node.planes[side];
-            return {load<Pack>(&planes[0][first]), load<Pack>(&planes[1][first]),
-                    load<Pack>(&planes[2][first])};
+            return {load<Numbers>(&planes[0][first]), load<Numbers>(&planes[1][first]),
+                    load<Numbers>(&planes[2][first])};
         };
-        // min - Pack{} is a pack with min in every lane.
-        const IntervalPack<Pack> part = hit_box(BoxPack<Pack>{corner(0), corner(1)}, ray,
-                                                IntervalPack<Pack>{min - Pack{}, max - Pack{}});
+        // min - Numbers{} is a pack with min in every lane.
+        const IntervalPack<Numbers> part =
+            hit_box(BoxPack<Numbers>{corner(0), corner(1)}, ray,
+                    IntervalPack<Numbers>{min - Numbers{}, max - Numbers{}});
         store(part.min, &hit.entry[first]);
         hit.met |= RT_VECTOR_BITS(part.min <= part.max) << first;
     }
