@@ -106,15 +106,6 @@ RT_INLINED unsigned may_meet(const SphereLeaf& leaf, const Ray& ray, Interval wi
     return met & ~behind;
 }
 
-// The places of a number in a leaf, as bits.
-RT_INLINED unsigned places_of(std::int32_t number, const Lanes<std::int32_t>& numbers) {
-    using Numbers = Part<std::int32_t>;
-    unsigned places = 0;
-    for (std::size_t first = 0; first < lanes; first += part_size<std::int32_t>)
-        places |= RT_VECTOR_BITS(load<Numbers>(&numbers[first]) == number) << first;
-    return places;
-}
-
 // The numbers of some of a leaf's shapes, those whose bits are set (given).
 class SomeOfLeaf {
   public:

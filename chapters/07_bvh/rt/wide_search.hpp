@@ -30,7 +30,6 @@ struct WideSearch {
     int nearest;        // the number of the shape that was hit there
     int box_tests = 0;  // eight tests at once count as one
     int shape_tests = 0;
-    const typename Tree::Leaf* leaf = nullptr;  // the last one that was visited
 
     RT_INLINED NearestFirst<Child, lanes> children_of(WideChild child) {
         ++box_tests;
@@ -49,16 +48,12 @@ struct WideSearch {
     }
     RT_INLINED SomeOfLeaf shapes_in(WideChild child) {
         ++shape_tests;
-        leaf = &tree.leaves[static_cast<std::size_t>(child.number())];
-        return {leaf->number, may_meet(*leaf, ray, within)};
+        const auto& leaf = tree.leaves[static_cast<std::size_t>(child.number())];
+        return {leaf.number, may_meet(leaf, ray, within)};
     }
     decltype(auto) shape(int number) const { return tree.shape(number); }
-    // The shape is in the last leaf, where it is found at once.
     RT_INLINED std::optional<Real> meets_shape(int number) const {
-        const unsigned place = leaf ? places_of(number, leaf->number) : 0;
-        if (place == 0) return hit_shape(shape(number), ray, within);
-        return hit_shape(leaf->shape(static_cast<std::size_t>(std::countr_zero(place))), ray,
-                         within);
+        return hit_shape(shape(number), ray, within);
     }
 
   private:
