@@ -1,13 +1,13 @@
 # Checkpoints are compiled once, and each answer alone. For exercise NN.k there are, in both precisions,
 #
 #   check.NN.k    the program of its test cases, tests/NN_topic/NN.k_NAME.cpp
-#   answer.NN.k   a library: tests/NN_topic/NN.k/answer.cpp hands the solution's functions to the test cases
+#   answer.NN.k   a library: answer.cpp, which cmake/Answers.cmake makes, hands the solution's functions to the test cases
 #   yours.NN.k    the same library, of what the learner wrote
 #
-# and in float the same with .float at the end. check.NN.k finds the headers of tests/NN_topic/NN.k/rt in place
-# of the exercise's: these declare the library's functions. It is linked to answer.NN.k, and takes another
-# library of that name from the folder that LD_LIBRARY_PATH names (PATH on Windows): the learner's, or that of a
-# mistake.
+# and in float the same with .float at the end. check.NN.k finds other headers in place of the exercise's: these
+# declare the library's functions. It is linked to answer.NN.k, and takes another library of that name from the folder
+# that LD_LIBRARY_PATH names (PATH on Windows): the learner's, or that of a mistake.
+include(Answers)
 
 set(course_answers ${CMAKE_BINARY_DIR}/answers)  # in it: solution/double, yours/float and so on
 if(APPLE)
@@ -86,8 +86,8 @@ function(course_as_answer target real place chapter id)
 endfunction()
 
 # course_answer(target real place chapter id folders...): the answer, from the first of these folders that
-# has it. An exercise without tests/NN_topic/NN.k/answer.cpp is a program of its own, compiled as the learner
-# does by hand, without the course's headers and flags.
+# has it. One that is a program of its own is compiled as the learner does by hand, without the course's headers and
+# flags.
 function(course_answer target real place chapter id)
   set(sources "")
   foreach(file ${course_files_${id}})
@@ -98,8 +98,7 @@ function(course_answer target real place chapter id)
       endif()
     endforeach()
   endforeach()
-  set(call ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id}/answer.cpp)
-  if(NOT EXISTS ${call})
+  if(NOT course_call_${id})
     add_executable(${target} ${sources})
     target_compile_options(${target} PRIVATE -O2 -Wall -Wextra)
     set_target_properties(${target} PROPERTIES OUTPUT_NAME answer.${id}
@@ -107,7 +106,7 @@ function(course_answer target real place chapter id)
     course_linked_with(${target})
     return()
   endif()
-  add_library(${target} SHARED ${call} ${sources})
+  add_library(${target} SHARED ${course_call_${id}} ${sources})
   course_as_answer(${target} ${real} ${place} ${chapter} ${id} ${ARGN})
 endfunction()
 
@@ -140,6 +139,7 @@ function(course_exercise chapter id)
   if(NOT count EQUAL 1)
     message(FATAL_ERROR "course.json names exercise ${id}: it needs one tests/${chapter}/${id}_NAME.cpp")
   endif()
+  course_bridge(${chapter} ${id})
   set(folders ${course_folders_${chapter}})
   foreach(real double float)
     set(float "")
@@ -155,7 +155,7 @@ function(course_exercise chapter id)
     # A fraction that is dropped unasked is told, as in `int c = dot(f, f)`.
     target_compile_options(${yours} PRIVATE -Wfloat-conversion)
     course_checkpoint(${check} ${real} ${source}
-                      INCLUDE ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id} ${folders})
+                      INCLUDE ${course_declared_${id}} ${folders})
     set_target_properties(${check} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/check
                                               LINK_DEPENDS_NO_SHARED ON)
     get_target_property(kind ${answer} TYPE)
@@ -188,7 +188,7 @@ function(course_exercise chapter id)
 
   # The plain answers of a chapter pass its cores.
   set(plain ${CMAKE_SOURCE_DIR}/tests/plain/${chapter})
-  if(COURSE_ALL_TESTS AND EXISTS ${plain} AND EXISTS ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id}/answer.cpp)
+  if(COURSE_ALL_TESTS AND EXISTS ${plain} AND course_call_${id})
     course_answer(plain.${id} double plain/double ${chapter} ${id} ${plain} ${folders})
     add_test(NAME plain.${id} COMMAND check.${id} "[${id}]~[hard]")
     set_tests_properties(plain.${id} PROPERTIES LABELS solution TIMEOUT 120 FAIL_REGULAR_EXPRESSION "No tests ran")

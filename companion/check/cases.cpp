@@ -105,11 +105,9 @@ fs::path yours_folder(const Course& course, bool in_float) {
     return course.build / "answers/yours" / (in_float ? "float" : "double");
 }
 
-std::string answer_file(const Course& course, const std::string& exercise) {
-    for (const auto& entry : fs::directory_iterator{course.root / "tests"})
-        if (fs::exists(entry.path() / exercise / "answer.cpp"))
-            return library_name("answer." + exercise);
-    return program_name("answer." + exercise);
+std::string answer_file(const Exercise& exercise) {
+    const bool is_library = exercise.files.front().parent_path().filename() == "rt";
+    return (is_library ? library_name : program_name)("answer." + exercise.id);
 }
 
 std::vector<std::string> command_of(const Course& course, const Cases& cases,

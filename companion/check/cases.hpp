@@ -2,7 +2,7 @@
 // Running an exercise's test cases on an answer.
 
 #include <companion/check/test_results.hpp>
-#include <companion/model/course.hpp>
+#include <companion/model/exercise.hpp>
 #include <companion/system/process.hpp>
 
 namespace companion {
@@ -54,6 +54,6 @@ fs::path yours_folder(const Course& course, bool in_float);
 
 // The name of an answer's file: "libanswer.03.2.so", which the checkpoint loads, or "answer.00.1"
 // if the answer is a whole program.
-std::string answer_file(const Course& course, const std::string& exercise);
+std::string answer_file(const Exercise& exercise);
 
 }  // namespace companion

@@ -66,7 +66,7 @@ void make(const Course& course, const Exercise& exercise, const Remake& remake,
         app::make_folder((answer.folder / name).parent_path());
         app::replace_file(answer.folder / name, text);
     }
-    answer.build = remake(answer.folder, answer.folder / answer_file(course, exercise.id));
+    answer.build = remake(answer.folder, answer.folder / answer_file(exercise));
 }
 
 void keep_common(std::set<std::string>& kept, const std::set<std::string>& other) {

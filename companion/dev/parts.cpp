@@ -50,12 +50,8 @@ std::vector<fs::path> checkpoint_files(const Course& course, const Exercise& exe
 std::vector<std::string> missing_files(const Course& course, const Exercise& exercise) {
     Lines wrong;
     std::vector<fs::path> needed{mistakes_file(exercise)};
-    for (const fs::path& stub : exercise.files) {
+    for (const fs::path& stub : exercise.files)
         needed.insert(needed.end(), {stub, solution_of(stub)});
-        // A file that is not in rt/ is a program of its own.
-        const fs::path own = fs::path{"tests"} / exercise.chapter.name / exercise.id;
-        if (stub.parent_path().filename() == "rt") needed.push_back(own / "answer.cpp");
-    }
     for (const fs::path& file : needed)
         if (!fs::exists(course.root / file)) wrong.push_back(file.generic_string() + " is missing");
     const auto all = checkpoint_files(course, exercise);

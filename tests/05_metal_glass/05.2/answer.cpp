@@ -5,10 +5,6 @@
 
 namespace answer EXPORTED {
 
-rt::Vec3 above_horizon(rt::Vec3 v, rt::Vec3 normal) {
-    return rt::above_horizon(v, normal);
-}
-
 rt::Real given_fuzz() {
     return rt::Metal{}.fuzz;
 }

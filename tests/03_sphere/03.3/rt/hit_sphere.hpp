@@ -1,1 +1,0 @@
-#include "../../03.2/rt/hit_sphere.hpp"

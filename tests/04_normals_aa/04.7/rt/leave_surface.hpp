@@ -1,1 +1,0 @@
-#include "../../04.6/rt/leave_surface.hpp"
