@@ -1,17 +1,18 @@
-# What a checkpoint and an answer know of each other: in build/generated/NN.k, rt/NAME.hpp declares the answer's functions
-# for the test cases, and answer.cpp defines them by calling the answer's.
+# What a checkpoint and an answer know of each other: in build/generated/NN.k, rt/NAME.hpp declares the answer's
+# functions for the test cases, and answer.cpp defines them by calling the answer's.
 #
 # They are made from the headers of an exercise, and from those that course_headers_of_answer_NN.k names: headers of
 # earlier exercises, where the test cases need the answer's own functions, too. The solution's header says what there
 # is: a learner may change the exercise's. Each of its functions that begins with `inline` is called, except those in
-# course_helpers, which are the solution's alone. A parameter that is no reference is const, so that an answer cannot
-# ask for a reference to change it by.
+# course_helpers, which are the solution's alone. A parameter that is no reference is const, so that an answer that
+# asks for a reference to change does not compile.
 #
 # A rt/NAME.hpp in tests/NN_topic/NN.k is used instead: it is needed where there are templates, operators or types of
 # the exercise's own. The calls of what it declares are in the answer.cpp beside it.
 
-# course_bridge(chapter id): makes these files. Sets course_call_NN.k to the source that calls the answer, and to nothing
-# if the exercise is a program of its own; course_declared_NN.k to the folders with the headers for the test cases.
+# course_bridge(chapter id): makes these files. Sets course_call_NN.k to the source that calls the answer, and to
+# nothing if the exercise is a program of its own; course_declared_NN.k to the folders with the headers for the test
+# cases.
 function(course_bridge chapter id)
   set(own ${CMAKE_SOURCE_DIR}/tests/${chapter}/${id})
   set(made ${CMAKE_BINARY_DIR}/generated/${id})
@@ -60,7 +61,8 @@ function(course_bridge chapter id)
     endforeach()
     file(RELATIVE_PATH from ${CMAKE_SOURCE_DIR} ${solution})
     if(NOT declarations)
-      set(declarations "#error no function in ${from} begins with inline: write tests/${chapter}/${id}/${header} and answer.cpp\n")
+      set(declarations "#error no function in ${from} can be called by rule: \
+write tests/${chapter}/${id}/${header} and answer.cpp\n")
     endif()
     list(JOIN includes "" includes)
     file(CONFIGURE OUTPUT ${made}/${header} @ONLY CONTENT "#pragma once

@@ -1,7 +1,7 @@
 # Checkpoints are compiled once, and each answer alone. For exercise NN.k there are, in both precisions,
 #
 #   check.NN.k    the program of its test cases, tests/NN_topic/NN.k_NAME.cpp
-#   answer.NN.k   a library: answer.cpp, which cmake/Answers.cmake makes, hands the solution's functions to the test cases
+#   answer.NN.k   a library: an answer.cpp hands the solution's functions to the test cases, see cmake/Answers.cmake
 #   yours.NN.k    the same library, of what the learner wrote
 #
 # and in float the same with .float at the end. check.NN.k finds other headers in place of the exercise's: these

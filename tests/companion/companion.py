@@ -1395,6 +1395,47 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.script("check", "01.1", code=3)
         self.assertNotIn("CMAKE_CXX_FLAGS:STRING=-ffast", (self.root / "build/CMakeCache.txt").read_text())
 
+    def test_the_calls_of_an_answer_are_made_from_the_solution(self):
+        self.use_cmake("Answers")
+        with open(self.root / "CMakeLists.txt", "a") as cmake:
+            cmake.write("set(course_files_01.1 rt/one.hpp)\nset(course_files_01.2 rt/two.hpp first.cpp)\n"
+                        "set(course_files_01.3 first.cpp)\nset(course_helpers helper)\n"
+                        "set(course_folders_01_tiny ${CMAKE_SOURCE_DIR}/solutions/01_tiny)\n"
+                        "foreach(id 01.1 01.2 01.3)\n  course_bridge(01_tiny ${id})\n"
+                        "  file(APPEND ${CMAKE_BINARY_DIR}/calls \"${course_call_${id}}\\n\")\nendforeach()\n")
+        self.put("solutions/01_tiny/rt/one.hpp", "#pragma once\n#include <rt/real.hpp>\n#include <vector>\n\nnamespace rt {\n\n"
+                 "inline constexpr Real most{1};\n\ninline int helper(int a) {\n    return a;\n}\n\n"
+                 "// No inline int comment(int a) {\ninline const Real* f(const std::map<int, Real>& a, std::map<int, Real> b,\n"
+                 "                     [[maybe_unused]] const int* c, int& d) {\n    return x[2];\n}\n\n"
+                 "inline void g() {\n    inline_call(a) {};\n}\n\ntemplate <class T>\nint h(T t) {\n}\n\n}  // namespace rt\n")
+        self.put("solutions/01_tiny/rt/two.hpp", "#pragma once\n\ntemplate <class T>\nint h(T t) {\n}\n")
+        self.put("build/generated/01.1/rt/stale.hpp", "")
+        self.configure()
+        made = self.root / "build/generated"
+        declared = (made / "01.1/rt/one.hpp").read_text()
+        self.assertIn("\n#include <rt/real.hpp>\n#include <vector>\n\n", declared)
+        self.assertIn("{\n\nconst Real* f(const std::map<int, Real>& a, std::map<int, Real> b, const int* c, int& d);\n"
+                      "void g();\n\n}", declared)
+        calls = (made / "01.1/answer.cpp").read_text()
+        self.assertIn("{\n\nconst Real* f(const std::map<int, Real>& a, std::map<int, Real> const b, const int* const c, "
+                      "int& d) {\n    return rt::f(a, b, c, d);\n}\n\nvoid g() {\n    rt::g();\n}\n\n}", calls)
+        self.assertFalse((made / "01.1/rt/stale.hpp").exists())
+        self.assertIn("#error no function in solutions/01_tiny/rt/two.hpp can be called by rule: write "
+                      "tests/01_tiny/01.2/rt/two.hpp and answer.cpp\n", (made / "01.2/rt/two.hpp").read_text())
+        # What is written by hand is used instead, or as well.
+        before = (made / "01.1/answer.cpp").stat().st_mtime_ns
+        self.put("tests/01_tiny/01.2/rt/two.hpp", "")
+        self.put("tests/01_tiny/01.2/answer.cpp", "")
+        (self.root / "build/calls").unlink()
+        self.configure()
+        self.assertEqual((self.root / "build/calls").read_text(),
+                         f"{made}/01.1/answer.cpp\n{self.root}/tests/01_tiny/01.2/answer.cpp\n\n")
+        self.assertFalse((made / "01.2/rt/two.hpp").exists())
+        self.assertEqual((made / "01.1/answer.cpp").stat().st_mtime_ns, before)
+        self.put("tests/01_tiny/01.1/answer.cpp", "")
+        self.configure()
+        self.assertIn('\n#include "01.1/answer.cpp"\n#include <rt/one.hpp>\n', (made / "01.1/answer.cpp").read_text())
+
     def test_which_tests_there_are_is_chosen_each_time(self):
         self.use_script()
         with open(self.root / "CMakeLists.txt", "a") as cmake:

@@ -1,5 +1,5 @@
 #pragma once
-// An answer hands its functions to the checkpoint in tests/NN_topic/NN.k/answer.cpp. Here a library
-// shows all its functions, and its own calls stay inside anyway.
+// An answer hands its functions to the checkpoint in answer.cpp. Here a library shows all its
+// functions, and its own calls stay inside anyway.
 
 #define EXPORTED
