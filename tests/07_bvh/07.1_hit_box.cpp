@@ -192,7 +192,7 @@ TEST_CASE("07.1 rays in a face or an edge count as hits", "[07.1][hard]") {
                 for (const Real face : {Real(0), Real(1)}) {
                     const char* const hint =
                         "0 * infinity is NaN: ignore this plane, whether it is the nearer or the "
-                        "farther one. std::min(a, b) and std::max(a, b) return a if their "
+                        "farther one. min(a, b) and max(a, b) return a if their "
                         "comparison is false";
                     const Real before = Real(0.5) - 2 * way;
                     check(unit, turned({before, face, Real(0.5)}, axis),
@@ -232,7 +232,8 @@ TEST_CASE("07.1 the margin makes the box larger", "[07.1][hard]") {
     const Vec3 above{-1, Real(1.5), Real(0.5)}, flat{1, Real(0.0625), 0};
     const char* const hint =
         "the ray passes a little more than 1/2 above the box: a margin of 1 reaches it, one of 1/2 "
-        "does not. Move each low plane down and each high plane up by the margin, once";
+        "does not. Move each low plane down and each high plane up by the margin, once, before you "
+        "exchange them";
     check(unit, above, flat, ahead, false, hint, 0);
     check(unit, above, flat, ahead, false, hint, Real(0.25));
     check(unit, above, flat, ahead, false, hint, Real(0.5));

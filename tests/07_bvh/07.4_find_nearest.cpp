@@ -148,6 +148,12 @@ TEST_CASE("07.4 the nearer of two spheres is found", "[07.4]") {
     check_winner(ByHand{far, near}.search(ray), {1, 4},
                  "the right sphere is nearer: a hit on the left does not end the search");
     check_winner(ByHand{far, {{5, 0, -5}, 1}}.search(ray), {0, 8}, "only the left sphere is hit");
+    const ByHand scene{near, far};
+    rt::Search search{scene.spheres, scene.order, ray, {}};
+    for (const int number : {1, 0}) rt::try_shape(number, search);
+    check_winner(search, {0, 4},
+                 "try_shape finds sphere 1, then a nearer hit on sphere 0. Every nearer hit "
+                 "counts: only at the same t, the numbers decide");
     check_winner(ByHand{{{5, 0, -5}, 1}, far}.search(ray), {1, 8}, "only the right sphere is hit");
     check_winner(ByHand{near, far}.search({{0, 0, 0}, {0, 1, 0}}), {}, "neither sphere is hit");
 }

@@ -172,6 +172,10 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
                "`Real(x)`"));
     CHECK(says("no return statement in function returning non-void [-Wreturn-type]", "return"));
     CHECK(says("'class std::unique_ptr<rt::TreeNode>' has no member named 'box'", "unique_ptr: "));
+    CHECK(says("'const struct rt::MetChild' has no member named 'is_leaf'", "child.node()"));
+    CHECK(says("no member named 'is_leaf' in 'rt::MetChild'", "child.node()"));
+    CHECK(says("no matching function for call to 'swap(const double&, const double&)'",
+               "leave out const"));
     CHECK(says("no member named 'box' in 'std::unique_ptr<rt::TreeNode>'", "unique_ptr: "));
     CHECK(says("'haze' is not a constant expression", "when the code is compiled"));
     CHECK(says("'struct rt::Box' has no member named 'join'", "`join(a, b)`"));

@@ -17,7 +17,8 @@ void try_shape(int number, AnySearch& search) {
 // children whose boxes the ray meets, the nearest first. Search each child.node() in this order, if
 // search.reaches(child) is true just before: a hit in one child may lie in front of the next.
 // AnyNode is a node of your tree, with two children, or of another tree, with eight.
-// Star: trees have up to most_levels + 20 levels, and many threads search them at the same time.
+// Star: trees have up to most_levels + 20 levels, and many threads search them at the same time. If
+// the function calls itself and changes nothing but `search`, there is nothing to add.
 template <class AnyNode, class AnySearch>
 void find_nearest(const AnyNode& node, AnySearch& search) {
     rt::todo("07.4", node, search);
