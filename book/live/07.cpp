@@ -557,6 +557,7 @@ rt::Interval when_inside(const rt::Box& box, const rt::SlabRay& ray, rt::Interva
     constexpr double far = 1000;
     const rt::Interval near{std::max(within.min, -far), std::min(within.max, far)};
     const rt::Interval part = rt::hit_box(box, ray, near);
+    if (part.is_empty()) return {rt::infinity, -rt::infinity};
     return {part.min == near.min ? within.min : part.min,
             part.max == near.max ? within.max : part.max};
 }
