@@ -94,8 +94,6 @@ const Habit habits[]{
      "(^|[^:\\w])abs\\(",
      "`abs` without std:: is for whole numbers and drops the fraction: write `std::abs(x)` for the "
      "absolute value of a Real."},
-    {"swap\\(const ",
-     "`swap` changes both variables, but they are const: leave out const where they are declared."},
     {"could not convert|no viable conversion|cannot convert|no matching function for call to .abs",
      "(^|[^:\\w])abs\\(",
      "For numbers, write `std::abs`; plain `abs` may be a different function."},
@@ -315,6 +313,8 @@ const Meaning meanings[]{
     {"rt::\\w+. has no member named .(along|cross|dot|join|length|longest_axis|normalize)\\b|"
      "no member named .(along|cross|dot|join|length|longest_axis|normalize). in .rt::",
      "This is a function of its own: `join(a, b)`, and not `a.join(b)`."},
+    {"swap\\(const ",
+     "`swap` changes both variables, but they are const: leave out const where they are declared."},
     {"Met\\w*Child.*has no member named .is_leaf|no member named .is_leaf. in .*Met\\w*Child",
      "`find_nearest` is called with a child instead of its node: write `child.node()` in the "
      "call."},
