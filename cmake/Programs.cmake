@@ -200,6 +200,7 @@ function(course_graft chapter)
     set_tests_properties(tracer.${number} PROPERTIES LABELS mistakes TIMEOUT 600)
     if(number MATCHES "06|07")  # times are measured
       set_tests_properties(tracer.${number} PROPERTIES RUN_SERIAL ON)
+      course_nightly(tracer.${number})
     endif()
   endif()
 endfunction()
