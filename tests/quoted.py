@@ -3,7 +3,7 @@
 
 - The code that a text's graft shows is in our answer to that graft, line by line and in the same order, and the text
   names each header that the answer adds.
-- No sentence of a question is also in a text: whoever rewords one would have to find the other.
+- No sentence of a question is also in a text: rewording one would mean finding the other.
 - What a text asks the reader to guess has the numbers of one of the chapter's questions.
 """
 

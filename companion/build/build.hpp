@@ -17,7 +17,7 @@ struct BuildResult {
 // that it waits for what is built ahead.
 BuildResult build(const Course& course, const std::vector<std::string>& targets);
 
-// The same for whoever has the turn.
+// The same for a caller that has the Turn already.
 BuildResult build_in_turn(const Course& course, const std::vector<std::string>& targets);
 
 // The same for one target, without which the caller cannot go on. Throws app::Failure with the

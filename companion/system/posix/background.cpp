@@ -44,7 +44,7 @@ bool in_background(const std::function<void(const std::function<bool()>&)>& work
             return ::poll(&closed, 1, 0) > 0;
         });
     } catch (...) {
-        // Nobody reads what went wrong, and whoever needs the work will meet it.
+        // Nobody reads here what went wrong. The next check meets it again, and says so.
     }
     ::_exit(0);
 }
