@@ -159,6 +159,17 @@ function(course_certificate chapter)
   endif()
 endfunction()
 
+# course_parts_of(out program): all objects of a program but its main().
+function(course_parts_of out program)
+  set(${out} $<FILTER:$<TARGET_OBJECTS:${program}>,EXCLUDE,main[.]cpp> PARENT_SCOPE)
+endfunction()
+
+# course_scenes_test(name script arguments...): a program that reads scene files.
+function(course_scenes_test name script)
+  add_test(NAME ${name} COMMAND sh ${CMAKE_SOURCE_DIR}/tests/app/${script} ${ARGN})
+  set_tests_properties(${name} PROPERTIES LABELS solution TIMEOUT 300)
+endfunction()
+
 # course_given_tests(chapter): what a chapter gives beyond its exercises has tests of its own, and so have the
 # program's parts.
 function(course_given_tests chapter)
@@ -167,7 +178,7 @@ function(course_given_tests chapter)
     return()
   endif()
   file(GLOB parts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
-  list(FILTER parts EXCLUDE REGEX "/(study[^/]*|(main|narrowest_renderer|show_scene|open_scene)[.]cpp)$")
+  list(FILTER parts EXCLUDE REGEX "/(study[^/]*|(main|narrowest_renderer|shown_scene|open_scene)[.]cpp)$")
   foreach(real double float)
     set(target ${chapter}_given_${real})
     course_checkpoint(${target} ${real} ${given} ${parts} INCLUDE ${course_folders_${chapter}})

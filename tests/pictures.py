@@ -4,8 +4,8 @@
     tests/pictures.py BUILD [NAME...]   makes docs/images/NAME.png, or all of them
     tests/pictures.py --check           says which committed picture has no command, and which is wider than it is shown
 
-The first needs these targets of a build with COURSE_ALL_TESTS=ON: solution_programs, float_programs, brick_wall and
-mistake_tool. Most pictures take less than a minute; those of chapters 08 and 11 compile for longer.
+The first needs these targets of a build with COURSE_ALL_TESTS=ON: solution_programs, float_programs, renderer_solution,
+brick_wall and mistake_tool. Most pictures take less than a minute; those of chapters 08 and 11 compile for longer.
 
 Each picture is a line of RECIPES below: a program and its options, sometimes of a program with a known mistake, and
 what is done with the pixels. What is not made here is made by the commands in OTHERS. The texts' figures,
@@ -362,7 +362,7 @@ def far_sphere(left):
 
 def equal_time(*options):
     """A part of the cover; docs/accuracy.md says how long it takes."""
-    return lambda: draw("08_effects_solution", 400, 225, "chapters/08_effects/scenes/cover.json",
+    return lambda: draw("renderer_solution", 400, 225, "chapters/08_effects/scenes/cover.json",
                         *options).part(84, 80, 130, 90).enlarged(3)
 
 

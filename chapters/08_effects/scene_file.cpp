@@ -5,13 +5,8 @@
 #include <app/files.hpp>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <rt/image_file.hpp>
-#include <rt/inverse.hpp>
 #include <rt/portable.hpp>
-#include <rt/transform.hpp>
-#include <stdexcept>
-#include <system_error>
 
 #include "glass_in_fog.hpp"
 #include "placing.hpp"
@@ -23,7 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace rt;
 
-constexpr Range angles{0.001, 179}, turns{-360, 360}, stretches{0.001, 1000};
+constexpr Range angles{0.001, 179};
 constexpr std::uint64_t max_seed = std::uint64_t{1} << 53;  // above it, a double skips integers
 
 struct Texture {
@@ -41,12 +36,17 @@ struct Material {
 class Reader {
   public:
     Reader(const std::string& name, const fs::path& folder, const Limits& limits,
-           const MeshReader& read_mesh)
-        : name_{name}, folder_{folder}, limits_{limits}, read_mesh_{read_mesh} {}
+           const OtherShapes& others)
+        : name_{name}, folder_{folder}, limits_{limits}, others_{others} {}
 
     SceneDescription read(const Value& whole) {
-        whole.with_keys({"about", "camera", "sky", "fog", "haze", "textures", "materials",
-                         "spheres", "groups", "meshes", "render"});
+        if (const auto meshes = whole.find("meshes"); meshes && others_.key != "meshes")
+            meshes->fail(
+                "are not drawn by this program; ./course run 08 takes the one that draws them");
+        std::vector<std::string> keys{"about",    "camera",    "sky",     "fog",    "haze",
+                                      "textures", "materials", "spheres", "groups", "render"};
+        if (!others_.key.empty()) keys.insert(keys.end() - 1, others_.key);
+        whole.with_keys(keys);
         if (const auto about = whole.find("about")) about->text("a sentence");
         read_camera(whole.at("camera"));
         scene_.sky = {{1, 1, 1}, from_hex(0x7fb2ff)};
@@ -67,8 +67,10 @@ class Reader {
                 read_group(group);
                 ends_.push_back(static_cast<int>(scene_.spheres.size()));
             }
-        if (const auto meshes = whole.find("meshes"))
-            for (const Value& mesh : meshes->list("meshes")) read_mesh(mesh);
+        if (!others_.key.empty())
+            if (const auto others = whole.find(others_.key))
+                for (const Value& shape : others->list(others_.key))
+                    others_.read_one(shape, [&](const Value& name) { return reflecting(name); });
         if (const auto found = filled_glass_in_fog(scene_))
             throw app::UsageError(name_ + ": " + place_of(found->first) +
                                   " is glass in the fog, and " + place_of(found->second) +
@@ -144,36 +146,8 @@ class Reader {
         return result;
     }
 
-    // The bytes of a file in the scene's folder. Files elsewhere are not read, so that a scene from
-    // someone else cannot reveal them. `kind` is "an image" or "a mesh".
-    std::string read_neighbor(const Value& file, const std::string& kind, std::size_t most) const {
-        const std::string& given = file.text("the name of " + kind + " file");
-        const fs::path path{given};
-        const std::string shown = app::quoted(given);
-        if (given.empty() || given.find('\0') != std::string::npos)
-            file.fail("must name " + kind + " file in the scene's folder");
-        const bool leaves =
-            path.is_absolute() || std::find(path.begin(), path.end(), fs::path{".."}) != path.end();
-        std::error_code error;
-        const fs::path home = fs::canonical(folder_, error);
-        const fs::path found = error ? fs::path{} : fs::weakly_canonical(home / path, error);
-        // A link in the folder may lead outside, too.
-        const bool inside =
-            !error &&
-            std::mismatch(home.begin(), home.end(), found.begin(), found.end()).first == home.end();
-        if (leaves || !inside)
-            file.fail("is " + shown +
-                      ", which leads out of the scene's folder; only files in that folder "
-                      "are read");
-        try {
-            return app::read_input_file(found, shown + " in the scene's folder", most);
-        } catch (const app::UsageError& wrong) {
-            file.fail("names " + kind + ": " + wrong.what());
-        }
-    }
-
     Image read_image(const Value& file) {
-        const std::string bytes = read_neighbor(file, "an image", 64 << 20);
+        const std::string bytes = read_neighbor(file, folder_, "an image", 64 << 20);
         const std::string shown = app::quoted(file.text("a name"));
         try {
             Image image = decode_image(bytes, pixels_left_);
@@ -198,56 +172,6 @@ class Reader {
         name.fail("is " + app::quoted(wanted) + ", and there is no such " + kind +
                   (known.empty() ? "; \"" + kind + "s\" holds none"
                                  : app::meant(wanted, known, "there are ")));
-    }
-
-    // The mesh in a file. The file is read once, however often the mesh is placed.
-    std::shared_ptr<const Mesh> mesh_of(const Value& file, std::optional<bool> smooth) {
-        std::shared_ptr<const Mesh>& mesh = meshes_[{file.text("the name of a mesh file"), smooth}];
-        if (mesh) return mesh;
-        const std::string bytes = read_neighbor(file, "a mesh", std::size_t{1} << 28);
-        if (!read_mesh_) file.fail("names a mesh, and this program draws none");
-        try {
-            mesh = std::make_shared<const Mesh>(read_mesh_(bytes, smooth));
-        } catch (const std::invalid_argument& wrong) {
-            file.fail("is " + app::quoted(file.text("a name")) +
-                      ", which is not a readable OBJ file: " + wrong.what());
-        }
-        return mesh;
-    }
-
-    void read_mesh(const Value& mesh) {
-        mesh.with_keys(
-            {"file", "center", "size", "scale", "rotate_deg", "matrix", "material", "smooth"});
-        MeshDescription to;
-        Material& material = named(materials_, mesh.at("material"), "material");
-        if (std::holds_alternative<Emitter>(material.description))
-            mesh.at("material").fail("is a light, and a light is a plain sphere");
-        to.material = use(material);
-        if (const auto matrix = mesh.find("matrix")) {
-            for (const char* other : {"center", "size", "scale", "rotate_deg"})
-                if (mesh.find(other))
-                    mesh.fail("has both matrix and " + std::string{other} +
-                              "; the matrix alone says everything");
-            to.object_to_world = read_matrix(*matrix);
-            expect_not_flat(*matrix, to.object_to_world, "mesh");
-        } else {
-            to.object_to_world =
-                read_stretched(mesh, {vec3(mesh, "center", {}), number(mesh, "size", lengths, 1)});
-        }
-        std::optional<bool> smooth;
-        if (const auto given = mesh.find("smooth")) smooth = given->yes();
-        const Value file = mesh.at("file");
-        to.mesh = mesh_of(file, smooth);
-        for (const Vec3& point : to.mesh->points)
-            for (const Vec3& p : {point, transform_point(to.object_to_world, point)})
-                if (!(max_component(p) <= static_cast<Real>(lengths.high)))
-                    file.fail("has a point that is more than " + app::number_text(lengths.high) +
-                              " from the origin, in the file or in its place");
-        triangles_ += to.mesh->triangles.size();
-        if (triangles_ > limits_.triangles)
-            file.fail("makes " + std::to_string(triangles_) +
-                      " triangles in all; a scene may have " + std::to_string(limits_.triangles));
-        scene_.meshes.push_back(to);
     }
 
     // A type of material: its name in a file, its keys beside "type", and how it is read.
@@ -324,7 +248,7 @@ class Reader {
         return material;
     }
 
-    // The index of a material for the next sphere or mesh. A random color depends only on the
+    // The index of a material for the next shape. A random color depends only on the
     // number of spheres so far.
     int use(Material& material) {
         if (material.between || material.index < 0) {
@@ -349,6 +273,14 @@ class Reader {
         return material.index;
     }
 
+    // The index of a material for a shape that cannot shine.
+    int reflecting(const Value& name) {
+        Material& material = named(materials_, name, "material");
+        if (std::holds_alternative<Emitter>(material.description))
+            name.fail("is a light, and a light is a plain sphere");
+        return use(material);
+    }
+
     // How many more spheres there may be.
     int room() const { return limits_.spheres - static_cast<int>(scene_.spheres.size()); }
 
@@ -358,51 +290,6 @@ class Reader {
         velocity = vec3(*given);
         if (velocity != Vec3{} && std::holds_alternative<Emitter>(material.description))
             given->fail("must be [0, 0, 0] or absent: a light does not move");
-    }
-
-    // The map of a shape that is stretched, then turned around x, y and z.
-    static Mat4 read_stretched(const Value& sphere, const Sphere& plain) {
-        Vec3 scale{1, 1, 1}, turn;
-        if (const auto given = sphere.find("scale"))
-            scale = vec3_within(*given, "three numbers [x, y, z]", stretches);
-        if (const auto given = sphere.find("rotate_deg"))
-            turn = vec3_within(*given, "three angles [x, y, z]", turns);
-        const Mat4 turned =
-            multiply(rotation_z(radians(turn.z)),
-                     multiply(rotation_y(radians(turn.y)), rotation_x(radians(turn.x))));
-        return multiply(translation(plain.center), multiply(turned, scaling(plain.radius * scale)));
-    }
-
-    // Three rows of four numbers; the fourth row of the matrix is always 0 0 0 1.
-    static Mat4 read_matrix(const Value& matrix) {
-        const Value::List rows = matrix.list("three rows of four numbers");
-        if (rows.size() != 3)
-            matrix.fail("must be a list of three rows, not of " + std::to_string(rows.size()));
-        Mat4 map;
-        for (int row = 0; row < 3; ++row) {
-            const Value given = rows[static_cast<std::size_t>(row)];
-            const Value::List numbers = given.list("four numbers");
-            if (numbers.size() != 4)
-                given.fail("must be a list of four numbers, not of " +
-                           std::to_string(numbers.size()));
-            for (int column = 0; column < 4; ++column)
-                map(row, column) = number(numbers[static_cast<std::size_t>(column)], coordinates);
-        }
-        return map;
-    }
-
-    static void expect_not_flat(const Value& where, const Mat4& map, const std::string& shape) {
-        bool flat = false;
-        try {
-            const Mat4 back = inverse(map);
-            for (int i = 0; i < 9; ++i)
-                flat = flat || !(std::abs(back(i / 3, i % 3)) <= static_cast<Real>(lengths.high));
-        } catch (const std::domain_error&) {
-            flat = true;
-        }
-        if (flat)
-            where.fail("is a singular matrix, or nearly so: it flattens the " + shape +
-                       "; its first three columns must point in three directions of space");
     }
 
     // Makes `to` an instance with this map: adds the map to the scene, and puts a sphere around the
@@ -564,9 +451,7 @@ class Reader {
     const std::string& name_;
     const fs::path& folder_;
     const Limits& limits_;
-    const MeshReader& read_mesh_;
-    std::size_t triangles_ = 0;  // so far
-    std::map<std::pair<std::string, std::optional<bool>>, std::shared_ptr<const Mesh>> meshes_;
+    const OtherShapes& others_;
     int pixels_left_ = limits_.image_pixels;
     SceneDescription scene_;
     placing::Neighbors there_;  // all spheres so far
@@ -579,14 +464,14 @@ class Reader {
 
 SceneDescription parse_scene(const std::string& text, const std::string& name,
                              const fs::path& folder, const Limits& limits,
-                             const MeshReader& read_mesh) {
-    return Reader{name, folder, limits, read_mesh}.read(Value::parse(text, name, "the scene"));
+                             const OtherShapes& others) {
+    return Reader{name, folder, limits, others}.read(Value::parse(text, name, "the scene"));
 }
 
-SceneDescription read_scene(const fs::path& file, const MeshReader& read_mesh) {
+SceneDescription read_scene(const fs::path& file, const OtherShapes& others) {
     const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path{"."};
     return parse_scene(app::read_input_file(file, file.string(), app::max_json_bytes),
-                       file.string(), folder, {}, read_mesh);
+                       file.string(), folder, {}, others);
 }
 
 }  // namespace effects

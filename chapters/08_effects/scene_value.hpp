@@ -1,13 +1,17 @@
 #pragma once
-// What a scene file has besides app::Value's numbers, words and lists: vectors and colors. For a
-// value that is not allowed, each function throws app::UsageError, which names the file, the
-// position and what is allowed.
+// What a scene file has besides app::Value's numbers, words and lists: vectors, colors, matrices
+// and other files. For a value that is not allowed, each function throws app::UsageError, which
+// names the file, the position and what is allowed.
 
 #include <app/json.hpp>
 #include <app/value.hpp>
 #include <array>
+#include <filesystem>
 #include <rt/color.hpp>
+#include <rt/mat4.hpp>
+#include <rt/sphere.hpp>
 #include <rt/vec3.hpp>
+#include <string>
 
 namespace effects {
 
@@ -65,5 +69,20 @@ inline Color color(const Value& parent, const std::string& key, Color otherwise,
     const auto value = parent.find(key);
     return value ? color(*value, range) : otherwise;
 }
+
+// The map of a shape that is as large as `plain` and lies there, stretched, then turned around x, y
+// and z, as the value's scale and rotate_deg say.
+rt::Mat4 read_stretched(const Value& shape, const rt::Sphere& plain);
+
+// Three rows of four numbers; the fourth row of the matrix is always 0 0 0 1.
+rt::Mat4 read_matrix(const Value& matrix);
+
+// Fails if the map is singular, or nearly so. `shape` is what it flattens, such as "sphere".
+void expect_not_flat(const Value& where, const rt::Mat4& map, const std::string& shape);
+
+// The bytes of a file in the scene's folder. Files elsewhere are not read, so that a scene from
+// someone else cannot reveal them. `kind` is such as "an image".
+std::string read_neighbor(const Value& file, const std::filesystem::path& folder,
+                          const std::string& kind, std::size_t most);
 
 }  // namespace effects

@@ -212,7 +212,7 @@ void study_each_effect(study::Report& report) {
         one.*effect.member = true;
         const Quality quality{4, 8, 1};
         const auto drawing = [&](const Effects& effects, const SceneDescription& drawn) {
-            return make_narrowest(effects, drawn, width, rows, quality).make_worker();
+            return make_narrowest(effects, drawn, width, rows, quality).draw;
         };
         std::vector<DrawTile> draws{drawing({}, matte), drawing(one, matte)};
         if (effects_of(scene).*effect.member) draws.push_back(drawing(one, scene));
@@ -222,7 +222,7 @@ void study_each_effect(study::Report& report) {
             works.push_back([&, i] {
                 rays[i] = 0;
                 Image image = Canvas<Color>{width, rows};
-                draws[i]({0, 0, width, rows}, quality.seed, image, rays[i]);
+                draws[i]({0, 0, width, rows}, image, rays[i]);
                 study::keep(image);
             });
         std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 9});
@@ -246,11 +246,11 @@ void study_cover(study::Report& report) {
              const DrawTile draw =
                  make_narrowest(effects_of(scene), scene, cover.width, cover.height,
                                 {cover.samples_per_pixel, cover.depth, 1})
-                     .make_worker();
+                     .draw;
              Image image = Canvas<Color>{cover.width, cover.height};
              std::uint64_t rays = 0;
              for (int y = 0; y < cover.height; y += cover.row_step)
-                 draw({0, y, cover.width, y + 1}, 1, image, rays);
+                 draw({0, y, cover.width, y + 1}, image, rays);
              study::keep(study::mean_color(cover, [&](int x, int y) { return image.at(x, y); }));
          }});
     constexpr std::array<const char*, 2> names{"classic", "narrowest renderer"};

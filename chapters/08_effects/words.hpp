@@ -3,25 +3,26 @@
 
 #include <algorithm>
 #include <rt/counted.hpp>
-#include <rt/needed_effects.hpp>
+#include <rt/scene.hpp>
 #include <string>
 
 #include "tile_renderer.hpp"
 
 namespace effects {
 
-inline std::string explanation(const rt::SceneDescription& scene, const std::string& file,
+// "the final scene, 3 spheres". `file` is empty for the final scene.
+inline std::string name_of(const rt::SceneDescription& scene, const std::string& file) {
+    return (file.empty() ? "the final scene" : file) + ", " +
+           rt::counted(scene.spheres.size(), "sphere");
+}
+
+// What --explain prints: the scene by its name, what it needs, and which renderer draws it.
+inline std::string explanation(const std::string& name, const rt::Effects& needed,
                                const Choice& choice) {
-    const rt::Effects needed = rt::needed_effects(scene);
-    std::size_t triangles = 0;
-    for (const rt::MeshDescription& mesh : scene.meshes) triangles += mesh.mesh->triangles.size();
-    return "scene:    " + (file.empty() ? "the final scene" : file) + ", " +
-           rt::counted(scene.spheres.size(), "sphere") +
-           (triangles > 0 ? ", " + rt::counted(triangles, "triangle") : "") +
-           "\nneeds:    " + names(needed) + "\nrenderer: " + names(choice.chosen) + ", " +
-           (choice.in_batches ? "in batches" : "one of " + std::to_string(choice.renderers)) +
+    return "scene:    " + name + "\nneeds:    " + names(needed) +
+           "\nrenderer: " + names(choice.chosen) + ", " + choice.among +
            "\nunused:   " + names(without(choice.chosen, needed)) +
-           "\nleft out: " + names(choice.left_out) + '\n';
+           "\nleft out: " + names(without(rt::every_effect, choice.chosen)) + '\n';
 }
 
 // What the user may have overlooked; "" if nothing.

@@ -17,8 +17,7 @@
 #include <vector>
 
 #include "final_scene.hpp"
-#include "scene_file.hpp"
-#include "tile_renderer.hpp"
+#include "open_meshed.hpp"
 
 namespace cluster {
 
@@ -110,10 +109,10 @@ inline void turn_to_frame(rt::SceneDescription& scene, const Job& job) {
 }
 
 // The scene of a job, on a rank that has nothing but the job's files.
-inline rt::SceneDescription scene_of(const Job& job) {
-    rt::SceneDescription scene;
+inline rt::MeshedDescription scene_of(const Job& job) {
+    rt::MeshedDescription scene;
     if (job.files.empty()) {
-        scene = effects::final_scene();
+        scene = {effects::final_scene(), {}};
     } else {
         std::string name = fs::temp_directory_path() / "scene.XXXXXX";
         if (!::mkdtemp(name.data()))
@@ -124,7 +123,7 @@ inline rt::SceneDescription scene_of(const Job& job) {
             fs::create_directories((folder / file).parent_path());
             std::ofstream{folder / file, std::ios::binary} << bytes;
         }
-        scene = effects::read_scene(folder / "scene.json", effects::read_mesh);
+        scene = full_renderer::read_scene(folder / "scene.json");
         fs::remove_all(folder);
     }
     scene.settings = job.settings;

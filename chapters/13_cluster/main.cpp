@@ -15,10 +15,10 @@
 #include <rt/show_paths.hpp>
 #include <thread>
 
-#include "../08_effects/show_scene.hpp"
 #include "group.hpp"
-#include "open_scene.hpp"
+#include "open_meshed.hpp"
 #include "share.hpp"
+#include "tile_workers.hpp"
 #include "tint.hpp"
 
 namespace {
@@ -74,7 +74,7 @@ fs::path folder_of_tiles(Job job) {
     return fs::path{"cluster-tiles"} / name;
 }
 
-app::Picture draw_alone(const Job& job, const SceneDescription& scene,
+app::Picture draw_alone(const Job& job, const MeshedDescription& scene,
                         const app::Settings& settings, app::Progress& progress) {
     TileDrawer drawer{scene, settings.threads};
     const TileGrid grid = grid_of(job);
@@ -91,7 +91,7 @@ app::Picture draw_alone(const Job& job, const SceneDescription& scene,
     return {std::move(image), rays};
 }
 
-app::Picture draw_in_group(Job job, const SceneDescription& scene, const app::Settings& settings,
+app::Picture draw_in_group(Job job, const MeshedDescription& scene, const app::Settings& settings,
                            app::Progress& progress) {
     if (!settings.file.empty()) job.files = files_of(settings.file);
     rehearse();
@@ -134,8 +134,8 @@ app::Picture draw_in_group(Job job, const SceneDescription& scene, const app::Se
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    SceneDescription scene = effects::open_scene(settings);
-    if (!settings.show.empty()) return effects::show_scene(scene, settings, progress);
+    MeshedDescription scene = full_renderer::open_scene(settings);
+    if (!settings.show.empty()) return full_renderer::show_scene(scene, settings, progress);
     Job job;
     job.settings = scene.settings;
     job.in_slices = settings.picked.front() == "slices";
@@ -159,7 +159,7 @@ int help_rank_0() {
     const Job job = unpacked(broadcast({}));
     if (job.is_none) return app::done;
     const int result = app::run_or_explain("13_cluster", [&] {
-        const SceneDescription scene = scene_of(job);
+        const MeshedDescription scene = scene_of(job);
         TileDrawer drawer{scene, job.threads > 0 ? job.threads : own_threads()};
         if (job.in_slices)
             share_slices(job, drawer, nullptr);

@@ -109,7 +109,7 @@ void study_split(study::Report& report) {
 constexpr int columns = 120, rows = 68, block = 8;
 
 std::vector<double> rays_of_blocks() {
-    rt::SceneDescription scene = effects::final_scene();
+    rt::MeshedDescription scene{effects::final_scene(), {}};
     scene.settings = {960, 540, 1, scene.settings.depth, 1};
     TileDrawer drawer{scene, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
     std::vector<double> all;

@@ -9,18 +9,17 @@
 #include <thread>
 #include <vector>
 
-#include "tile_renderer.hpp"
+#include "tile_workers.hpp"
 
 namespace cluster {
 
-// Draws tiles of a scene as chapter 08's program does. Each tile is divided into smaller tiles,
-// which the threads share out as in 06.3.
+// Draws tiles of a scene path by path, as chapter 08's program does. Each tile is divided into
+// smaller tiles, which the threads share out as in 06.3.
 class TileDrawer {
   public:
     // The scene must outlive the drawer. `threads` is 1 or more.
-    TileDrawer(const rt::SceneDescription& scene, int threads)
-        : seed_{scene.settings.seed},
-          threads_{threads},
+    TileDrawer(const rt::MeshedDescription& scene, int threads)
+        : threads_{threads},
           image_{rt::Canvas<rt::Color>{scene.settings.width, scene.settings.height}},
           renderer_{make_renderer(scene)},
           workers_(static_cast<std::size_t>(threads)) {}
@@ -33,10 +32,10 @@ class TileDrawer {
         rt::render_tiles(parts, threads_, [&](rt::Tile part, int worker) {
             part = {tile.left + part.left, tile.top + part.top, tile.left + part.right,
                     tile.top + part.bottom};
-            effects::DrawTile& draw_part = workers_[static_cast<std::size_t>(worker)];
+            rt::DrawTile& draw_part = workers_[static_cast<std::size_t>(worker)];
             if (!draw_part) draw_part = renderer_.make_worker();
             std::uint64_t part_rays = 0;
-            draw_part(part, seed_, image_, part_rays);
+            draw_part(part, image_, part_rays);
             all_rays += part_rays;
         });
         rays += all_rays;
@@ -46,16 +45,15 @@ class TileDrawer {
     }
 
   private:
-    static effects::TileRenderer make_renderer(const rt::SceneDescription& scene) {
+    static full_renderer::TileWorkers make_renderer(const rt::MeshedDescription& scene) {
         const auto& [width, height, samples, depth, seed] = scene.settings;
-        return effects::make_path_by_path(scene, width, height, {samples, depth, seed});
+        return full_renderer::make_path_by_path(scene, width, height, {samples, depth, seed});
     }
 
-    std::uint64_t seed_;
     int threads_;
     rt::Image image_;  // each tile is drawn here, at its place in the picture
-    effects::TileRenderer renderer_;
-    std::vector<effects::DrawTile> workers_;
+    full_renderer::TileWorkers renderer_;
+    std::vector<rt::DrawTile> workers_;
 };
 
 }  // namespace cluster

@@ -386,7 +386,8 @@ Request default_request(const Program& program) {
 }
 
 // What to say about an argument that the parser does not know.
-std::string advice(const CLI::App& options, int argc, const char* const* argv) {
+std::string advice(const CLI::App& options, int argc, const char* const* argv,
+                   const std::string& others) {
     std::vector<std::string> known;
     for (const CLI::Option* const option : options.get_options())
         if (!option->get_lnames().empty()) known.push_back("--" + option->get_lnames().front());
@@ -396,7 +397,7 @@ std::string advice(const CLI::App& options, int argc, const char* const* argv) {
         if (const std::string meant = nearest_word(word, known); !meant.empty())
             return "; did you mean " + meant + '?';
     }
-    return "; --help lists the options";
+    return "; --help lists the options" + (others.empty() ? "" : ", and " + others);
 }
 
 int run_or_throw(int argc, const char* const* argv, const Program& program) {
@@ -409,7 +410,7 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
         std::fputs(options.help().c_str(), stdout);
         return done;
     } catch (const CLI::ParseError& error) {
-        throw UsageError(error.what() + advice(options, argc, argv));
+        throw UsageError(error.what() + advice(options, argc, argv, program.others));
     }
     for (const CLI::Option* const option : options.get_options())
         if (option->count() > 0) request.settings.given.insert(option->get_single_name());

@@ -115,6 +115,8 @@ struct Program {
     std::vector<std::string> shows = {};
     // Describes the file that may be named without an option; empty if the program reads no file.
     std::string reads = {};
+    // Said of an unknown option: who else has options; empty if nobody.
+    std::string others = {};
     // Whether render() calls Settings::explain when it is set; if not, the program has no
     // --explain.
     bool explains = false;

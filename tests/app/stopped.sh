@@ -1,9 +1,10 @@
 #!/bin/sh
-# stopped.sh PROGRAM SCENES: a long render that is stopped by a signal leaves a picture of what is done
+# stopped.sh PROGRAM SCENES OPTION...: a long render with these options that is stopped by a signal leaves a picture of what is done
 # and says so; the exit code is 128 and the signal's number.
 set -u
 program=$1
 scene=$2/matte.json
+shift 2
 place=$(mktemp -d)
 trap 'rm -rf "$place"' EXIT
 failures=0
@@ -31,9 +32,8 @@ stops() {
     head -c 4 "$place/stopped.png" | grep -q PNG || complain "$signal, $*: no picture"
     rm -f "$place/stopped.png"
 }
-stops INT 130 Ctrl-C --spp 20000
-stops TERM 143 SIGTERM --spp 20000
-stops INT 130 Ctrl-C --time-budget 60
+stops INT 130 Ctrl-C "$@"
+stops TERM 143 SIGTERM "$@"
 [ -z "$(find "$place" -name '*.part')" ] || complain "temporary files were left"
 
 # An ignored signal stays ignored: a shell's background jobs ignore Ctrl-C.
@@ -46,7 +46,7 @@ code=$?
 [ "$code" -eq 0 ] || complain "ignored: exit code $code, not 0"
 
 # Other signals end it at once.
-timeout --preserve-status -s HUP 1 "$program" "$scene" --spp 20000 --quiet --out "$place/HUP.png" \
+timeout --preserve-status -s HUP 1 "$program" "$scene" "$@" --quiet --out "$place/HUP.png" \
     2>"$place/stderr"
 [ ! -e "$place/HUP.png" ] || complain "HUP: a picture was written"
 

@@ -908,9 +908,9 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             self.assertFalse((self.root / "build/yours").exists())
 
     def test_run_builds_what_the_options_ask_for(self):
-        kinds = "mine", "mine_full", "mine_study"
+        programs = "08_effects_mine", "08_effects_mine_study", "renderer_mine", "10_more_mine"
         with open(self.root / "CMakeLists.txt", "a") as file:
-            file.writelines(self.program(f"{chapter}_{kind}") for chapter in ("08_effects", "10_more") for kind in kinds)
+            file.writelines(map(self.program, programs))
         chapters = []
         for name in ("08_effects", "10_more"):
             chapters.append(self.chapter(name, [{"id": f"{name[:2]}.1", "title": "Any", "minutes": 10,
@@ -920,10 +920,12 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.put("program.sh", '#!/bin/sh\necho "${0##*/}"\n')
         for scene, text in (("meshes", '{"meshes": []}'), ("plain", '{"spheres": []}')):
             self.put(f"{scene}.json", text)
-        for words, kind in (([], "mine"), (["--batches"], "mine_full"), (["--sampler=sobol"], "mine_full"),
-                            ([f"{self.root}/meshes.json"], "mine_full"), ([f"{self.root}/plain.json"], "mine"),
-                            (["--study", f"{self.root}/out"], "mine_study")):
-            self.assertEqual(self.course("run", "08", *words), f"08_effects_{kind}\n")
+        for words, program in (([], "08_effects_mine"), (["--batches"], "renderer_mine"),
+                               (["--sampler=sobol"], "renderer_mine"),
+                               ([f"{self.root}/meshes.json"], "renderer_mine"),
+                               ([f"{self.root}/plain.json"], "08_effects_mine"),
+                               (["--study", f"{self.root}/out"], "08_effects_mine_study")):
+            self.assertEqual(self.course("run", "08", *words), program + "\n")
         self.assertEqual(self.course("run", "10", "--time-budget", "1"), "10_more_mine\n")
 
     def test_run_passes_options_on(self):

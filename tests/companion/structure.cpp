@@ -29,6 +29,15 @@ std::vector<companion::Chapter> chapters() {
     return companion::chapters(companion::this_course());
 }
 
+// Folders of chapters compare as these do, the later the greater: the program with all options
+// stands above chapters 08 and 10 to 12, and chapter 13 uses it.
+std::string rank(const std::string& folder) {
+    return folder == "renderer" ? "12_z" : folder;
+}
+std::string rank(const fs::path& folder) {
+    return rank(folder.filename().string());
+}
+
 // The chapter that a header <rt/NAME.hpp> belongs to, "" for common; and where it is.
 struct Header {
     std::string chapter;
@@ -98,7 +107,7 @@ void check_includes(const std::string& where, const std::string& text, const std
         const auto [first, last] = all.equal_range(included);
         INFO(where << " includes <rt/" << included << '>');
         CHECK(first != last);
-        for (auto it = first; it != last; ++it) CHECK(it->second.chapter <= chapter);
+        for (auto it = first; it != last; ++it) CHECK(rank(it->second.chapter) <= rank(chapter));
     }
 }
 void check_includes(const fs::path& path, const std::string& chapter) {
@@ -123,7 +132,8 @@ std::vector<companion::Mistake> mistakes(const companion::Chapter& chapter) {
 }  // namespace
 
 TEST_CASE("every folder of a chapter belongs to a chapter that is built", "[structure]") {
-    std::set<std::string> known{"tracer"};  // the learner's own program
+    std::set<std::string> known{"tracer",     // the learner's own program
+                                "renderer"};  // the program with all options
     for (const auto& chapter : companion::every_chapter(companion::this_course()))
         known.insert(chapter.name);
     for (const char* const kind : {"chapters", "exercises", "solutions", "tests/mistakes"})
@@ -263,6 +273,36 @@ TEST_CASE("no chapter uses what comes after it, and common uses no chapter", "[s
             for (const auto& edit : mistake.edits)
                 check_includes(mistake.name, edit.after, chapter.name);
     }
+    for (const char* const kind : {"chapters", "tests"})
+        for (const fs::path& path : files(root / kind / "renderer", {".hpp", ".cpp"}))
+            check_includes(path, "renderer");
+}
+
+// Neither do its build files, and #include "NAME" finds nothing there.
+TEST_CASE("no chapter names what comes after it", "[structure]") {
+    const std::vector<fs::path> all = folders(root / "chapters");
+    for (const fs::path& folder : all)
+        for (const fs::path& path : files(folder, {".hpp", ".cpp", ".txt"})) {
+            const std::string text = read(path);
+            const std::string code = path.extension() == ".txt" ? text : code_of(text, true);
+            for (const fs::path& later : all) {
+                if (rank(later) <= rank(folder)) continue;
+                INFO(name(path) << " names " << name(later));
+                const std::string words =
+                    later.filename() == "renderer"
+                        ? "(chapters/renderer|renderer_(?:solution|mine)|full_renderer)"
+                        : '(' + later.filename().string() + ')';
+                CHECK(matches(code, words.c_str()).empty());
+            }
+            for (const std::string& included : matches(text, "\n#include \"([^\"]*)\"")) {
+                if (fs::exists(path.parent_path() / included)) continue;
+                INFO(name(path) << " includes \"" << included
+                                << "\", which only a later chapter has");
+                CHECK(std::any_of(all.begin(), all.end(), [&](const fs::path& earlier) {
+                    return rank(earlier) <= rank(folder) && fs::exists(earlier / included);
+                }));
+            }
+        }
 }
 
 // Where the headers of these folders are included: <app/errors.hpp> is one of app.

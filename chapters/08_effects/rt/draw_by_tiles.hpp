@@ -2,6 +2,8 @@
 #include <app/run.hpp>
 #include <atomic>
 #include <cassert>
+#include <functional>
+#include <memory>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
@@ -12,9 +14,9 @@ namespace rt {
 // Draws a picture tile by tile with this many threads, until it is finished or a signal comes
 // (given). draw(tile, worker, image, rays) adds the rays that a tile took to `rays`, and returns
 // how many of its pixels are done.
-template <class DrawTile>
+template <class Draw>
 app::Picture draw_by_tiles(const TileGrid& grid, int threads, app::Progress& progress,
-                           const DrawTile& draw) {
+                           const Draw& draw) {
     Image image = Canvas<Color>{grid.width, grid.height};
     app::draw_unfinished(image);
     std::atomic<std::uint64_t> all_rays = 0;
@@ -48,6 +50,18 @@ std::int64_t draw_pixels(const Tile& tile, Image& image, const ColorOf& color) {
         ++done;
     });
     return done;
+}
+
+// Draws the pixels of a tile, and returns how many are done: all, unless a signal came meanwhile
+// (app::Interruption) and the function stops at signals. Adds the number of rays to `rays`.
+using DrawTile = std::function<std::int64_t(const Tile&, Image& image, std::uint64_t& rays)>;
+
+// Draws tiles pixel by pixel with a renderer, which it keeps alive.
+template <class AnyRenderer>
+DrawTile pixel_by_pixel(std::shared_ptr<const AnyRenderer> renderer) {
+    return [renderer](const Tile& tile, Image& image, std::uint64_t& rays) {
+        return draw_pixels(tile, image, [&](int x, int y) { return (*renderer)(x, y, rays); });
+    };
 }
 
 }  // namespace rt

@@ -5,7 +5,8 @@ namespace rt {
 
 // The effects that a renderer of this scene needs (given): those of 08.1, and those that later
 // chapters have added.
-inline Effects needed_effects(const SceneDescription& scene) {
+template <class Scene>
+Effects needed_effects(const Scene& scene) {
     const Effects needed = with(effects_of(scene), added_effects(scene));
     // Any other shape calls for the same effects as a sphere of its material.
     SceneDescription as_spheres;

@@ -1,15 +1,10 @@
 #pragma once
 #include <array>
-#include <cstdint>
-#include <functional>
+#include <rt/draw_by_tiles.hpp>
 #include <rt/effects.hpp>
 #include <rt/renderer.hpp>
 
 namespace rt {
-
-// The color of a pixel with this seed; the number of rays that were traced is added to `rays`.
-using PixelShader =
-    std::function<Color(int column, int row, std::uint64_t seed, std::uint64_t& rays)>;
 
 // The renderers that are compiled (given), each for one of these sets of effects. A material or a
 // lens that is compiled in but not used costs nothing that can be measured, so only one renderer
@@ -31,23 +26,18 @@ inline constexpr auto renderer_effects = [] {
                       every_effect};
 }();
 
-// Makes a PixelShader, which draws a scene with one of these renderers. The scene must outlive the
-// PixelShader.
-using MakeShader = PixelShader (*)(const SceneDescription& scene, int width, int height,
-                                   const Quality& quality);
+// Draws a scene with one of these renderers. The scene must outlive the result.
+using MakeDrawTile = DrawTile (*)(const SceneDescription& scene, int width, int height,
+                                  const Quality& quality);
 
 template <Effects effects>
-PixelShader make_shader(const SceneDescription& scene, int width, int height,
+DrawTile make_draw_tile(const SceneDescription& scene, int width, int height,
                         const Quality& quality) {
-    auto renderer = std::make_shared<const Renderer<effects>>(scene, width, height, quality);
-    return [renderer, count = quality.samples_per_pixel](int column, int row, std::uint64_t seed,
-                                                         std::uint64_t& rays) {
-        return (*renderer)(JitteredSamples{seed, count}, column, row, rays);
-    };
+    return pixel_by_pixel(std::make_shared<const Renderer<effects>>(scene, width, height, quality));
 }
 
 inline constexpr auto renderer_makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array<MakeShader, sizeof...(number)>{make_shader<renderer_effects[number]>...};
+    return std::array<MakeDrawTile, sizeof...(number)>{make_draw_tile<renderer_effects[number]>...};
 }
 (std::make_index_sequence<renderer_effects.size()>{});
 

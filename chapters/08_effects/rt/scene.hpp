@@ -1,6 +1,5 @@
 #pragma once
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <rt/camera.hpp>
 #include <rt/color.hpp>
@@ -12,7 +11,6 @@
 #include <rt/lambertian.hpp>
 #include <rt/lens.hpp>
 #include <rt/mat4.hpp>
-#include <rt/mesh.hpp>
 #include <rt/metal.hpp>
 #include <rt/own_material.hpp>
 #include <rt/sky.hpp>
@@ -49,13 +47,6 @@ struct SphereDescription {
     int map = -1;        // an index into the scene's maps; -1 for a plain sphere
 };
 
-// A surface of triangles, which chapter 12 draws.
-struct MeshDescription {
-    std::shared_ptr<const Mesh> mesh;
-    Mat4 object_to_world;  // not singular
-    int material = 0;      // an index into the scene's materials; not an Emitter
-};
-
 // The settings for a picture, unless the user asks for others.
 struct RenderSettings {
     int width = 640, height = 360;  // pixels
@@ -73,16 +64,13 @@ struct SceneDescription {
     std::vector<Image> images;  // linear light
     std::vector<Mat4> maps;     // from the unit sphere to the world, none singular
     std::vector<SphereDescription> spheres;
-    std::vector<MeshDescription> meshes;
     RenderSettings settings;
 };
 
 // Calls use(material) for every shape that is not a sphere, with the index of its material. A
-// chapter that adds a kind of shape adds it to the lists above, and here.
+// chapter that adds a kind of shape adds a list of them to the scene, and this function for it.
 template <class Scene, class Use>
-void for_other_shapes(Scene& scene, const Use& use) {
-    for (auto& mesh : scene.meshes) use(mesh.material);
-}
+void for_other_shapes(Scene& /*scene*/, const Use& /*use*/) {}
 
 // The effects that a scene calls for beyond those of 08.1. A chapter that adds a kind of shape, of
 // material or of light says here when a scene has it. Of the shapes, only spheres need be asked for

@@ -21,7 +21,7 @@ inline constexpr Effects batch_effects{
     .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};
 
 inline bool can_be_batched(const SceneDescription& scene) {
-    return scene.meshes.empty() && covers(batch_effects, needed_effects(scene));
+    return covers(batch_effects, needed_effects(scene));
 }
 
 // The number of paths that make a bounce together. Their records should fit into the

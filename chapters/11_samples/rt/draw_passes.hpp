@@ -1,5 +1,4 @@
 #pragma once
-#include <memory>
 #include <rt/for_each_pixel.hpp>
 #include <rt/refinement.hpp>
 #include <rt/renderer.hpp>
@@ -38,16 +37,6 @@ template <class AnyRenderer>
 DrawPass sobol_passes(const AnyRenderer& renderer, int count, int left = 0) {
     return draw_passes(renderer, left,
                        [count](const Pass& pass) { return sobol_samples(pass, count); });
-}
-
-// Passes of Sobol's points or of jittered samples, which keep their renderer alive.
-template <class AnyRenderer>
-DrawPass kept_passes(std::shared_ptr<const AnyRenderer> renderer, int count, bool sobol) {
-    return [renderer,
-            draw = sobol ? sobol_passes(*renderer, count) : jittered_passes(*renderer, count)](
-               const Tile& tile, const Pass& pass, Image& image, std::uint64_t& rays) {
-        draw(tile, pass, image, rays);
-    };
 }
 
 }  // namespace rt

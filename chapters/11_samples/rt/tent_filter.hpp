@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
@@ -109,17 +108,6 @@ void draw_with_tent(BatchRenderer<effects, SobolPoints>& renderer, SobolSamples 
         {samples}, sums.sampled(), rays,
         [&](int x, int y, Vec2 offset, const Color& light) { sums.add(x, y, offset, light); });
     sums.write(image);
-}
-
-// Returns a function (tile, seed, image, rays) that draws a tile in the same way and returns the
-// number of its pixels. The function keeps the renderer alive.
-template <class AnyRenderer>
-auto kept_tent(std::shared_ptr<const AnyRenderer> renderer, int count) {
-    return [renderer, count](const Tile& tile, std::uint64_t seed, Image& image,
-                             std::uint64_t& rays) -> std::int64_t {
-        draw_with_tent(*renderer, SobolSamples{seed, count}, tile, image, rays);
-        return pixel_count(tile);
-    };
 }
 
 }  // namespace rt

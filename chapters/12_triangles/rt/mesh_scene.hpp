@@ -1,12 +1,31 @@
 #pragma once
+#include <memory>
 #include <rt/mesh_materials.hpp>
 #include <rt/mesh_world.hpp>
 #include <rt/ready_scene.hpp>
+#include <vector>
 
 namespace rt {
 
-// The meshes of a scene's description (given).
-inline SceneMeshes meshes_of(const SceneDescription& scene) {
+// A surface of triangles (given).
+struct MeshDescription {
+    std::shared_ptr<const Mesh> mesh;
+    Mat4 object_to_world;  // not singular
+    int material = 0;      // an index into the scene's materials; not an Emitter
+};
+
+// A scene that may have meshes, too (given).
+struct MeshedDescription : SceneDescription {
+    std::vector<MeshDescription> meshes;
+};
+
+template <class Use>
+void for_other_shapes(const MeshedDescription& scene, const Use& use) {
+    for (const MeshDescription& mesh : scene.meshes) use(mesh.material);
+}
+
+// The meshes of a scene, put at their places.
+inline SceneMeshes meshes_of(const MeshedDescription& scene) {
     SceneMeshes meshes;
     for (const MeshDescription& mesh : scene.meshes)
         meshes.add(*mesh.mesh, mesh.object_to_world, mesh.material);
@@ -23,8 +42,6 @@ struct MeshScene : ReadyScene<effects> {
     Aggregate<decltype(Spheres::world), TriangleTree> world;
     MeshMaterials<decltype(Spheres::materials)> materials;
 
-    MeshScene(const SceneDescription& scene, int width, int height)
-        : MeshScene{scene, width, height, meshes_of(scene)} {}
     MeshScene(const SceneDescription& scene, int width, int height, SceneMeshes meshes)
         : Spheres{scene, width, height},
           mesh{std::move(meshes.mesh)},

@@ -34,7 +34,7 @@ void write_at(MPI_File file, std::int64_t place, const char* bytes, int count) {
 int main(int argc, char** argv) {
     const cluster::Membership membership{argc, argv};
     if (argc != 5) return app::bad_input;
-    SceneDescription scene = effects::final_scene();
+    MeshedDescription scene{effects::final_scene(), {}};
     scene.settings.width = std::atoi(argv[1]);
     scene.settings.height = std::atoi(argv[2]);
     scene.settings.samples_per_pixel = std::atoi(argv[3]);

@@ -22,11 +22,11 @@ struct Drawn {
 };
 
 Drawn draw(const rt::SceneDescription& scene, std::size_t renderer) {
-    const auto shade = rt::renderer_makers[renderer](scene, width, height, quality);
+    const rt::DrawTile draw_tile = rt::renderer_makers[renderer](scene, width, height, quality);
+    rt::Image image = rt::Canvas<rt::Color>{width, height};
     Drawn drawn;
-    for (int y = 0; y < height; ++y)
-        for (int x = 0; x < width; ++x)
-            drawn.pixels.push_back(shade(x, y, quality.seed, drawn.rays));
+    draw_tile({0, 0, width, height}, image, drawn.rays);
+    drawn.pixels.assign(image.pixels().begin(), image.pixels().end());
     return drawn;
 }
 
@@ -37,23 +37,6 @@ TEST_CASE("a test scene has the effects that it says") {
         const Effects effects = numbered_effects(bits);
         INFO(names(effects) << " is found to be " << names(needed_effects(scene_with(effects))));
         REQUIRE((needed_effects(scene_with(effects)) == effects));
-    }
-}
-
-TEST_CASE("a mesh calls for the same effects as a sphere of its material") {
-    for (const rt::NamedEffect& effect : rt::all_effects) {
-        Effects one;
-        one.*effect.member = true;
-        rt::SceneDescription scene = scene_with(one);
-        std::erase_if(scene.spheres, [&](const rt::SphereDescription& sphere) {
-            const auto& material = scene.materials[static_cast<std::size_t>(sphere.material)];
-            const bool can_be_mesh = sphere.map < 0 && sphere.velocity == rt::Vec3{} &&
-                                     !std::holds_alternative<rt::Emitter>(material);
-            if (can_be_mesh) scene.meshes.push_back({nullptr, {}, sphere.material});
-            return can_be_mesh;
-        });
-        INFO(effect.name << ": found to be " << names(needed_effects(scene)));
-        CHECK((needed_effects(scene) == one));
     }
 }
 

@@ -634,22 +634,3 @@ TEST_CASE("spheres of your own material get a range of colors too", "[scene_file
     CHECK(first.color != second.color);
     CHECK((first.amount == 1 && second.amount == 1));
 }
-
-TEST_CASE("a mesh file is read once, however often it is placed") {
-    const TemporaryFolder folder;
-    write_file(folder / "one.obj", "v");
-    int read = 0;
-    const auto scene = effects::parse_scene(
-        "{" + camera + R"(, "materials": {"m": {"type": "matte", "color": "#ffffff"}}, "meshes": [
-            {"file": "one.obj", "material": "m"},
-            {"file": "one.obj", "material": "m", "center": [1, 0, 0]},
-            {"file": "one.obj", "material": "m", "smooth": true}]})",
-        "s.json", folder.path(), {}, [&](const std::string&, std::optional<bool> smooth) {
-            ++read;
-            return rt::Mesh{{{smooth ? Real(1) : 0, 0, 0}}, {}, {}, {}};
-        });
-    REQUIRE(scene.meshes.size() == 3);
-    CHECK(read == 2);  // flat, and smooth
-    CHECK(scene.meshes[0].mesh == scene.meshes[1].mesh);
-    CHECK(scene.meshes[2].mesh->points[0].x == 1);
-}

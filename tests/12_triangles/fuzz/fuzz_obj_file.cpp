@@ -30,13 +30,14 @@ void check(const rt::Mesh& mesh) {
 void draw(const std::shared_ptr<const rt::Mesh>& mesh) {
     constexpr rt::Effects effects{.mirror = true, .texture = true};
     constexpr int side = 4;
-    rt::SceneDescription scene;
+    rt::MeshedDescription scene;
     scene.camera.view = {.from = {0, 0, 5}, .at = {}, .up = {0, 1, 0}, .vertical_fov = 1};
     scene.images.push_back(rt::Canvas<rt::Color>{2, 2});
     scene.materials = {rt::Metal{{1, 1, 1}, 0}, rt::PictureMatte{0}};
     for (const int material : {0, 1})
         scene.meshes.push_back({mesh, rt::scaling({1, 1, 1}), material});
-    const rt::Renderer<effects, rt::MeshScene<effects>> renderer{scene, side, side, {2, 4, 1}};
+    const rt::Renderer<effects, rt::MeshScene<effects>> renderer{
+        scene, side, side, {2, 4, 1}, meshes_of(scene)};
     fuzzing::draw(renderer, side);
 }
 

@@ -1,24 +1,23 @@
-// The part of chapter 08's program that draws if --sampler, --filter, --target-error or
-// --time-budget is given. This file is linked into that program.
+// What draws if --sampler, --filter, --target-error or --time-budget is given.
 
 #include <app/errors.hpp>
 #include <app/interrupt.hpp>
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <memory>
-#include <rt/batch_workers.hpp>
 #include <rt/choose_renderer.hpp>
-#include <rt/draw_passes.hpp>
 #include <rt/false_colors.hpp>
-#include <rt/tent_filter.hpp>
+#include <rt/needed_effects.hpp>
 #include <span>
 #include <utility>
 
+#include "batch_workers.hpp"
+#include "batched.hpp"
 #include "few_effects.hpp"
 #include "sampled_meshes.hpp"
+#include "tile_workers.hpp"
 
-namespace samples {
+namespace full_renderer {
 namespace {
 
 using namespace rt;
@@ -27,18 +26,15 @@ using Clock = std::chrono::steady_clock;
 constexpr int samples_of_pass = 4;
 constexpr int pilot_passes = 2;  // of each half
 
-using effects::few_effects;
-
 // Draws passes path by path, with Sobol's points or with jittered samples.
 template <Effects effects>
-DrawPass make_draw_pass(const SceneDescription& scene, int width, int height,
+DrawPass make_draw_pass(const MeshedDescription& scene, int width, int height,
                         const Quality& quality, bool sobol) {
     return kept_passes(std::make_shared<const Renderer<effects>>(scene, width, height, quality),
                        quality.samples_per_pixel, sobol);
 }
 
-constexpr auto makers =
-    ::effects::for_few_effects([]<Effects effects> { return &make_draw_pass<effects>; });
+constexpr auto makers = for_few_effects([]<Effects effects> { return &make_draw_pass<effects>; });
 
 using Batches = BatchRenderer<batch_effects, SobolPoints>;
 
@@ -47,65 +43,59 @@ using Batches = BatchRenderer<batch_effects, SobolPoints>;
 constexpr int tent_tile_side = 64;
 
 template <Effects effects>
-::effects::DrawTile make_draw_tent(const SceneDescription& scene, int width, int height,
-                                   const Quality& quality) {
+DrawTile make_draw_tent(const MeshedDescription& scene, int width, int height,
+                        const Quality& quality) {
     return kept_tent(std::make_shared<const Renderer<effects>>(scene, width, height, quality),
-                     quality.samples_per_pixel);
+                     quality);
 }
 
 constexpr auto tent_makers =
-    ::effects::for_few_effects([]<Effects effects> { return &make_draw_tent<effects>; });
+    for_few_effects([]<Effects effects> { return &make_draw_tent<effects>; });
 
 // The renderer that is chosen for a scene, and the function that makes it.
 template <class Make>
-std::pair<effects::Choice, Make> chosen(const SceneDescription& scene,
-                                        const std::array<Make, few_effects.size()>& for_spheres,
-                                        Make for_meshes) {
+std::pair<Choice, Make> chosen(const MeshedDescription& scene,
+                               const std::array<Make, few_effects.size()>& for_spheres,
+                               Make for_meshes) {
     if (!scene.meshes.empty())
         return {effects::choice_of(std::span{few_effects}.last(1), 0), for_meshes};
     const std::size_t number = narrowest(needed_effects(scene), few_effects);
     return {effects::choice_of(few_effects, number), for_spheres[number]};
 }
 
-// Draws passes, as a TileRenderer draws pictures.
-struct PassRenderer {
-    effects::Choice choice;
+// Draws passes, as TileWorkers draw pictures.
+struct PassWorkers {
+    Choice choice;
     std::function<DrawPass()> make_worker;
     int tile_side = 16;
 };
 
-PassRenderer make_jittered_batches(const SceneDescription& scene, int width, int height,
-                                   const Quality& quality) {
-    const effects::TileRenderer renderer = effects::make_batched(scene, width, height, quality);
-    return {renderer.choice,
-            [make = renderer.make_worker] {
-                return [draw = make()](const Tile& tile, const Pass& pass, Image& image,
-                                       std::uint64_t& rays) {
-                    draw(tile, seed_of(pass), image, rays);
-                };
-            },
-            renderer.tile_side};
+const Choice in_batches_choice{batch_effects, "in batches"};
+
+PassWorkers make_batched_passes(const MeshedDescription& scene, int width, int height,
+                                const Quality& quality, bool sobol) {
+    const int count = quality.samples_per_pixel, side = batch_tile_side(count);
+    if (sobol)
+        return {in_batches_choice,
+                batch_workers<SobolPoints>(
+                    scene, width, height, quality,
+                    [count](Batches& renderer, const Tile& tile, const Pass& pass, Image& image,
+                            std::uint64_t& rays) {
+                        renderer.draw({sobol_samples(pass, count)}, tile, image, rays);
+                    }),
+                side};
+    const auto make_worker = [make = jittered_batches(scene, width, height, quality)] {
+        return [draw = make()](const Tile& tile, const Pass& pass, Image& image,
+                               std::uint64_t& rays) { draw(tile, seed_of(pass), image, rays); };
+    };
+    return {in_batches_choice, make_worker, side};
 }
 
-PassRenderer make_sobol_batches(const SceneDescription& scene, int width, int height,
-                                const Quality& quality) {
-    const int count = quality.samples_per_pixel;
-    return {effects::batched_choice(batch_effects),
-            batch_workers<SobolPoints>(
-                scene, width, height, quality,
-                [count](Batches& renderer, const Tile& tile, const Pass& pass, Image& image,
-                        std::uint64_t& rays) {
-                    renderer.draw({sobol_samples(pass, count)}, tile, image, rays);
-                }),
-            batch_tile_side(count)};
-}
-
-PassRenderer make_passes(const SceneDescription& scene, int width, int height,
-                         const Quality& quality, bool sobol, bool in_batches) {
+PassWorkers make_passes(const MeshedDescription& scene, int width, int height,
+                        const Quality& quality, bool sobol, bool in_batches) {
     if (in_batches && can_be_batched(scene))
-        return sobol ? make_sobol_batches(scene, width, height, quality)
-                     : make_jittered_batches(scene, width, height, quality);
-    const auto [choice, make] = chosen(scene, makers, &effects::make_meshed_passes);
+        return make_batched_passes(scene, width, height, quality, sobol);
+    const auto [choice, make] = chosen(scene, makers, &make_meshed_passes);
     const DrawPass draw = make(scene, width, height, quality, sobol);
     return {choice, [draw] { return draw; }};
 }
@@ -170,18 +160,13 @@ void refine_within(Refinement& refinement, Clock::time_point start, Clock::time_
 }
 
 }  // namespace
-}  // namespace samples
-
-namespace effects {
 
 // Draws all samples of a pixel in one pass.
-TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height,
-                        const rt::Quality& quality, bool in_batches) {
-    const samples::PassRenderer passes =
-        samples::make_passes(scene, width, height, quality, true, in_batches);
-    const auto make_worker = [make = passes.make_worker] {
-        return [draw = make()](const rt::Tile& tile, std::uint64_t seed, rt::Image& image,
-                               std::uint64_t& rays) {
+TileWorkers make_sobol(const MeshedDescription& scene, int width, int height,
+                       const Quality& quality, bool in_batches) {
+    const PassWorkers passes = make_passes(scene, width, height, quality, true, in_batches);
+    const auto make_worker = [make = passes.make_worker, seed = quality.seed] {
+        return [draw = make(), seed](const Tile& tile, Image& image, std::uint64_t& rays) {
             draw(tile, {seed, 0}, image, rays);
             return pixel_count(tile);
         };
@@ -189,17 +174,15 @@ TileRenderer make_sobol(const rt::SceneDescription& scene, int width, int height
     return {passes.choice, make_worker, passes.tile_side};
 }
 
-TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
-                       const rt::Quality& quality, bool in_batches) {
-    using namespace samples;
+TileWorkers make_tent(const MeshedDescription& scene, int width, int height, const Quality& quality,
+                      bool in_batches) {
     if (in_batches && can_be_batched(scene))
-        return {batched_choice(batch_effects),
+        return {in_batches_choice,
                 batch_workers<SobolPoints>(
                     scene, width, height, quality,
-                    [count = quality.samples_per_pixel](Batches& renderer, const Tile& tile,
-                                                        std::uint64_t seed, Image& image,
-                                                        std::uint64_t& rays) {
-                        draw_with_tent(renderer, {seed, count}, tile, image, rays);
+                    [samples = SobolSamples{quality.seed, quality.samples_per_pixel}](
+                        Batches& renderer, const Tile& tile, Image& image, std::uint64_t& rays) {
+                        draw_with_tent(renderer, samples, tile, image, rays);
                         return pixel_count(tile);
                     }),
                 tent_tile_side};
@@ -208,9 +191,8 @@ TileRenderer make_tent(const rt::SceneDescription& scene, int width, int height,
     return {choice, [draw] { return draw; }, tent_tile_side};
 }
 
-app::Picture refine(const rt::SceneDescription& scene, const app::Settings& settings,
+app::Picture refine(const MeshedDescription& scene, const app::Settings& settings,
                     const std::function<void(const Choice&)>& explain, app::Progress& progress) {
-    using namespace samples;
     const auto start = Clock::now();
     check_together(settings);
     const int width = scene.settings.width, height = scene.settings.height;
@@ -218,7 +200,7 @@ app::Picture refine(const rt::SceneDescription& scene, const app::Settings& sett
     const bool in_batches = settings.given.count("batches") > 0;
     // Sobol's points, unless jittered samples are asked for.
     const bool sobol = settings.given.count("sampler") == 0 || settings.picked.front() == "sobol";
-    const PassRenderer drawing = make_passes(scene, width, height, quality, sobol, in_batches);
+    const PassWorkers drawing = make_passes(scene, width, height, quality, sobol, in_batches);
     explain(drawing.choice);
 
     // Writing the file takes time, too.
@@ -262,4 +244,4 @@ app::Picture refine(const rt::SceneDescription& scene, const app::Settings& sett
     return picture;
 }
 
-}  // namespace effects
+}  // namespace full_renderer

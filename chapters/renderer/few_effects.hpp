@@ -3,9 +3,9 @@
 #include <rt/effects.hpp>
 #include <utility>
 
-namespace effects {
+namespace full_renderer {
 
-// The sets of effects for which the electives' renderers are compiled. There are few, because each
+// The sets of effects for which this room's renderers are compiled. There are few, because each
 // takes long to compile, and because an effect that is compiled in but not used costs these
 // renderers little. The last set has all effects.
 inline constexpr std::array<rt::Effects, 4> few_effects = [] {
@@ -26,4 +26,4 @@ constexpr auto for_few_effects(const Make& make) {
     (std::make_index_sequence<few_effects.size()>{});
 }
 
-}  // namespace effects
+}  // namespace full_renderer
