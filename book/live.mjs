@@ -83,11 +83,18 @@ function generated(chapter) {
     };
 }
 
+// The folders of what a chapter gives: its own, and those of several kinds of headers in it.
+function given(name) {
+    const own = join(root, 'chapters', name);
+    const kinds = readdirSync(own).filter(kind => existsSync(join(own, kind, 'rt'))).map(kind => join(own, kind));
+    return [own, ...kinds];
+}
+
 // The include folders of a chapter's figures, in the order of its program's.
 export function folders(chapter, chapters, first) {
     const upTo = chapters.filter(one => one.number <= chapter).reverse();
     return [...(first ? [first] : []),
-            ...upTo.flatMap(one => ['chapters', 'solutions'].map(kind => join(root, kind, one.name))), join(root, 'common')];
+            ...upTo.flatMap(one => [...given(one.name), join(root, 'solutions', one.name)]), join(root, 'common')];
 }
 
 // The wide trees, from chapter 07 on, are twice as fast with SIMD, and give the same bits. Without -fno-slp-vectorize,

@@ -1,8 +1,9 @@
 # The facts of course.json. course_names: the chapters of exercises in their order; course_electives: those of them that
 # are not part of the core. For each chapter course_ids_NN_topic, its exercises; course_files_NN.k, the files that the
-# learner writes for one; course_text_NN_topic, the file of its text; and course_folders_NN_topic, the include folders
-# of its solution: what is given and the answers, of all chapters up to this one, so that no chapter can use what comes
-# after it.
+# learner writes for one; course_text_NN_topic, the file of its text; course_given_NN_topic, the folders of what
+# is given: the chapter's own and, where there are several kinds of headers, those in it that have an rt/; and
+# course_folders_NN_topic, the include folders of its solution: what is given and the answers, of all chapters up to
+# this one, so that no chapter can use what comes after it.
 # Chapters that need what is missing here are left out; course_missing names what they need.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
@@ -34,7 +35,10 @@ foreach(chapter RANGE ${last_chapter})
     continue()
   endif()
   course_fact(course_text_${name} GET chapters ${chapter} text)
-  list(APPEND folders ${CMAKE_SOURCE_DIR}/chapters/${name} ${CMAKE_SOURCE_DIR}/solutions/${name})
+  file(GLOB kinds CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${name}/*/rt)
+  list(TRANSFORM kinds REPLACE "/rt$" "")
+  set(course_given_${name} ${CMAKE_SOURCE_DIR}/chapters/${name} ${kinds})
+  list(APPEND folders ${course_given_${name}} ${CMAKE_SOURCE_DIR}/solutions/${name})
   set(course_folders_${name} ${folders})
   course_fact(exercises LENGTH chapters ${chapter} exercises)
   math(EXPR last_exercise "${exercises} - 1")

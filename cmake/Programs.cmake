@@ -59,10 +59,18 @@ function(course_program target real)
   endif()
 endfunction()
 
+# course_given_sources(out chapter pattern): the sources of the chapter's program that match, such as *.cpp.
+function(course_given_sources out chapter pattern)
+  set(patterns ${course_given_${chapter}})
+  list(TRANSFORM patterns APPEND /${pattern})
+  file(GLOB sources CONFIGURE_DEPENDS ${patterns})
+  set(${out} ${sources} PARENT_SCOPE)
+endfunction()
+
 # course_sources(out chapter folders...): the sources of a chapter's answers, each from the first of these
 # folders that has it, and those that are given.
 function(course_sources out chapter)
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/rt/*.cpp)
+  course_given_sources(sources ${chapter} rt/*.cpp)
   foreach(id ${course_ids_${chapter}})
     foreach(file ${course_files_${id}})
       foreach(folder ${ARGN})
@@ -83,7 +91,7 @@ endfunction()
 # What course_libraries_NN_topic names is linked, too. TARGET_study is the same with --study, which is in the sources
 # named study*.cpp: they would take a third of the time that passes until a learner sees a picture.
 function(course_chapter_program target real chapter)
-  file(GLOB program CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  course_given_sources(program ${chapter} *.cpp)
   set(study ${program})
   list(FILTER program EXCLUDE REGEX "/study[^/]*$")
   list(FILTER study INCLUDE REGEX "/study[^/]*$")
@@ -177,7 +185,7 @@ function(course_given_tests chapter)
   if(NOT given)
     return()
   endif()
-  file(GLOB parts CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${chapter}/*.cpp)
+  course_given_sources(parts ${chapter} *.cpp)
   list(FILTER parts EXCLUDE REGEX "/(study[^/]*|(main|narrowest_renderer|shown_scene|open_scene)[.]cpp)$")
   foreach(real double float)
     set(target ${chapter}_given_${real})

@@ -44,8 +44,13 @@ def include_order(header):
         return [ROOT, ROOT / "common"]
     if room == "common":
         return [(ROOT / header).parent, ROOT / "common"]
+    if chapter == "renderer":
+        chapter = "12_z"  # above chapter 12
     up_to = [f for kind in ("chapters", "solutions") for f in sorted((ROOT / kind).iterdir()) if f.name <= chapter]
-    return [(ROOT / header).parent, *up_to, ROOT / "common"]
+    if chapter > "12_z":
+        up_to.append(ROOT / "chapters/renderer")
+    kinds = [rt.parent for folder in up_to for rt in sorted(folder.glob("*/rt"))]
+    return [(ROOT / header).parent, *up_to, *kinds, ROOT / "common"]
 
 
 def main():

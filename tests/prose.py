@@ -24,7 +24,7 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "tests/mistakes/**/*.md", "chapters/*/start/*.md",
          "chapters/*/questions.json", "course.json", "companion/commands/commands.inc", "exercises/**/*.hpp",
-         "solutions/**/*.hpp", "chapters/*/rt/*.hpp"]
+         "solutions/**/*.hpp", "chapters/**/rt/*.hpp"]
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125

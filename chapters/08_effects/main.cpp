@@ -1,13 +1,13 @@
 // Chapter 08: a scene file, or the course's final scene, drawn by the narrowest renderer that has
 // all the effects that it needs.
 //
-// To read in five minutes: final_scene() at the end of final_scene.cpp says what is in the picture,
-// the camera first. render() below chooses a renderer and shares out the picture's tiles. Renderer
-// in rt/renderer.hpp averages the paths of each pixel.
+// To read in five minutes: final_scene() at the end of scene_files/final_scene.cpp says what is in
+// the picture, the camera first. render() below chooses a renderer and shares out the picture's
+// tiles. Renderer in renderer/rt/renderer.hpp averages the paths of each pixel.
 
 #include <app/run.hpp>
+#include <rt/choose_renderer.hpp>
 #include <rt/false_colors.hpp>
-#include <rt/needed_effects.hpp>
 
 #include "open_scene.hpp"
 #include "shown_scene.hpp"

@@ -6,9 +6,9 @@
 
 #include <app/errors.hpp>
 #include <app/run.hpp>
+#include <rt/choose_renderer.hpp>
 #include <rt/counted.hpp>
 #include <rt/false_colors.hpp>
-#include <rt/needed_effects.hpp>
 
 #include "open_meshed.hpp"
 #include "open_scene.hpp"

@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <rt/choose_renderer.hpp>
-#include <rt/needed_effects.hpp>
 #include <rt/renderer.hpp>
 #include <rt/show_description.hpp>
 

@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <rt/choose_renderer.hpp>
 #include <rt/false_colors.hpp>
-#include <rt/needed_effects.hpp>
 #include <span>
 #include <utility>
 

@@ -67,9 +67,11 @@ std::string missing_include(const Course& course, const std::string& error) {
     std::vector<fs::path> folders{course.root / "common/rt"};
     const std::string own_chapter = file.parent_path().parent_path().filename().string();
     for (const Chapter& chapter : chapters(course))
-        if (is_tracer ? chapter.core : chapter.name <= own_chapter)
-            for (const char* const kind : {"chapters", "solutions"})
-                folders.push_back(course.root / kind / chapter.name / "rt");
+        if (is_tracer ? chapter.core : chapter.name <= own_chapter) {
+            for (const fs::path& folder : given_folders(course, chapter))
+                folders.push_back(course.root / folder / "rt");
+            folders.push_back(course.root / "solutions" / chapter.name / "rt");
+        }
     const std::regex declaration = declaration_of(name);
     std::vector<std::string> headers;
     for (const fs::path& folder : folders) {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/model/course.hpp>
 #include <companion/model/course_file.hpp>
@@ -61,6 +62,18 @@ Chapter find_chapter(const Course& course, const std::string& name, bool rungs_t
         if (chapter.has_exercises()) known += (known.empty() ? "" : ", ") + chapter.name;
     }
     throw app::UsageError("there is no chapter '" + name + "'; the chapters are " + known);
+}
+
+std::vector<fs::path> given_folders(const Course& course, const Chapter& chapter) {
+    const fs::path own = fs::path{"chapters"} / chapter.name;
+    std::vector<fs::path> kinds;
+    std::error_code none;
+    for (const auto& entry : fs::directory_iterator{course.root / own, none})
+        if (fs::is_directory(entry.path() / "rt")) kinds.push_back(own / entry.path().filename());
+    std::sort(kinds.begin(), kinds.end());
+    if (kinds.empty() || fs::is_directory(course.root / own / "rt"))
+        kinds.insert(kinds.begin(), own);
+    return kinds;
 }
 
 void check_is_built(const Chapter& chapter) {

@@ -85,6 +85,10 @@ std::optional<Chapter> chapter_of_rungs(const Course& course);
 // "sphere" means. Throws app::UsageError, which lists the chapters, or says what the chapter needs.
 Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too = false);
 
+// The folders, relative to the course, in whose rt/ a chapter's given headers are: its own or, if
+// there are several kinds of headers, some in it.
+std::vector<fs::path> given_folders(const Course& course, const Chapter& chapter);
+
 // Throws app::UsageError if the chapter is left out, and says what it needs.
 void check_is_built(const Chapter& chapter);
 

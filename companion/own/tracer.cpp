@@ -25,7 +25,9 @@ std::vector<std::string> compiler_words(const Course& course, const Chapter& las
         compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3", "-pthread", "-Wall", "-Wshadow"};
     words.push_back("-I" + course.relative(course.build / "yours"));
     for (const Chapter& chapter : grafts(course))
-        if (chapter.name <= last.name) words.push_back("-Ichapters/" + chapter.name);
+        if (chapter.name <= last.name)
+            for (const fs::path& folder : given_folders(course, chapter))
+                words.push_back("-I" + folder.generic_string());
     words.insert(words.end(), {"-Icommon", "exercises/tracer/tracer.cpp"});
     return words;
 }
@@ -35,11 +37,13 @@ std::string chapter_of_header(const Course& course, const Chapter& last, const s
     std::smatch header;
     if (!std::regex_search(error, header, std::regex{"rt/(\\w+\\.hpp)'?(: No such| file not)"}))
         return "";
-    for (const Chapter& chapter : grafts(course))
-        for (const char* const kind : {"chapters", "solutions"})
-            if (chapter.name > last.name &&
-                fs::exists(course.root / kind / chapter.name / "rt" / header[1].str()))
-                return chapter.number();
+    for (const Chapter& chapter : grafts(course)) {
+        if (chapter.name <= last.name) continue;
+        std::vector<fs::path> folders = given_folders(course, chapter);
+        folders.push_back(fs::path{"solutions"} / chapter.name);
+        for (const fs::path& folder : folders)
+            if (fs::exists(course.root / folder / "rt" / header[1].str())) return chapter.number();
+    }
     return "";
 }
 

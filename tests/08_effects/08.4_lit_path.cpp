@@ -1,8 +1,8 @@
 #include <checkpoint.hpp>
 #include <rt/color.hpp>
 #include <rt/lit_path.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/path.hpp>
-#include <rt/timed_ray.hpp>
 #include <statistics.hpp>
 
 #include "lit.hpp"

@@ -3,7 +3,7 @@
 #include <rt/lambertian.hpp>
 #include <rt/lit_path.hpp>
 #include <rt/metal.hpp>
-#include <rt/mirror.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
 #include <rt/textures.hpp>

@@ -44,7 +44,8 @@ def functions(root, kind, files):
     """The functions that these headers define: path, what identifies the function, its cursor and its body's."""
     from clang import cindex
     headers = subprocess.run(["clang++", "-print-resource-dir"], capture_output=True, text=True, check=True).stdout
-    folders = [*sorted((root / kind).iterdir()), *sorted((root / "chapters").iterdir()), root / "common"]
+    given = sorted(folder.parent for folder in (root / "chapters").glob("**/rt"))
+    folders = [*sorted((root / kind).iterdir()), *given, root / "common"]
     unit = cindex.Index.create().parse(
         "all.cpp", args=["-std=c++20", "-w", "-DRT_REAL=double", "-isystem", headers.strip() + "/include",
                          *(f"-I{folder}" for folder in folders)],

@@ -1,10 +1,10 @@
 #pragma once
 #include <rt/canvas.hpp>
+#include <rt/choose_renderer.hpp>
 #include <rt/color_sum.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/jittered_points.hpp>
-#include <rt/needed_effects.hpp>
 #include <rt/plain_batch.hpp>
 #include <rt/primary_packs.hpp>
 #include <rt/render_pixel.hpp>

@@ -3,7 +3,7 @@
 #include <rt/dielectric.hpp>
 #include <rt/matte_pack.hpp>
 #include <rt/metal.hpp>
-#include <rt/mirror.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/sine_cosine.hpp>
 #include <rt/textures.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 #include <rt/length.hpp>
-#include <rt/lens.hpp>
+#include <rt/lens_and_haze.hpp>
 #include <rt/pixel.hpp>
 #include <rt/ray.hpp>
 #include <rt/todo.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 #include <cmath>
 #include <rt/length.hpp>
-#include <rt/lens.hpp>
+#include <rt/lens_and_haze.hpp>
 #include <rt/pixel.hpp>
 #include <rt/ray.hpp>
 #include <rt/sine_cosine.hpp>

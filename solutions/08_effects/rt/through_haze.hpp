@@ -1,5 +1,5 @@
 #pragma once
-#include <rt/haze.hpp>
+#include <rt/lens_and_haze.hpp>
 #include <rt/transmittance.hpp>
 
 namespace rt {

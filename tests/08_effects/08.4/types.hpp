@@ -7,11 +7,11 @@
 #include <rt/hit.hpp>
 #include <rt/interval.hpp>
 #include <rt/lights.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/path_end.hpp>
 #include <rt/ray.hpp>
 #include <rt/rng.hpp>
 #include <rt/scatter.hpp>
-#include <rt/timed_ray.hpp>
 
 namespace answer {
 

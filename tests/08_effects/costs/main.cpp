@@ -9,7 +9,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <rt/choose_renderer.hpp>
-#include <rt/needed_effects.hpp>
 #include <rt/renderers.hpp>
 #include <string>
 

@@ -4,8 +4,7 @@
 #include <rt/cameras.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/metal.hpp>
-#include <rt/mirror.hpp>
-#include <rt/moving_spheres.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/split_by_area.hpp>
 #include <rt/textures.hpp>
 #include <rt/wide_builder.hpp>

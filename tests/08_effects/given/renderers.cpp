@@ -1,7 +1,6 @@
 // The narrow renderers draw what the full one draws, bit for bit.
 
 #include <rt/choose_renderer.hpp>
-#include <rt/needed_effects.hpp>
 #include <rt/renderers.hpp>
 #include <set>
 

@@ -1,7 +1,7 @@
 // Scenes with meshes: what they need, and how their files are read.
 
 #include <open_meshed.hpp>
-#include <rt/needed_effects.hpp>
+#include <rt/choose_renderer.hpp>
 
 #include "../../08_effects/scenes.hpp"
 #include "temporary_folder.hpp"

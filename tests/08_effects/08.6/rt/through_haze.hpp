@@ -1,6 +1,6 @@
 #pragma once
 #include <functional>
-#include <rt/haze.hpp>
+#include <rt/lens_and_haze.hpp>
 
 namespace answer {
 

@@ -2,7 +2,7 @@
 #include <rt/cameras.hpp>
 #include <rt/effects.hpp>
 #include <rt/fog.hpp>
-#include <rt/haze.hpp>
+#include <rt/lens_and_haze.hpp>
 #include <rt/lights.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/prepare.hpp>

@@ -4,7 +4,7 @@
 #include <rt/lambertian.hpp>
 #include <rt/material_set.hpp>
 #include <rt/metal.hpp>
-#include <rt/mirror.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/own_material.hpp>
 #include <rt/textures.hpp>
 #include <type_traits>

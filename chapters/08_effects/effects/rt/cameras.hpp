@@ -1,8 +1,8 @@
 #pragma once
 #include <rt/directions.hpp>
 #include <rt/lens_ray.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/render_pixel.hpp>
-#include <rt/timed_ray.hpp>
 
 namespace rt {
 

@@ -3,7 +3,7 @@
 #include <rt/instance_shape.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/lights.hpp>
-#include <rt/moving_spheres.hpp>
+#include <rt/mirror_and_motion.hpp>
 #include <rt/renderer_materials.hpp>
 #include <rt/scene.hpp>
 #include <rt/wide_builder.hpp>

@@ -6,10 +6,9 @@
 #include <rt/dielectric.hpp>
 #include <rt/effects.hpp>
 #include <rt/fog.hpp>
-#include <rt/haze.hpp>
 #include <rt/image.hpp>
 #include <rt/lambertian.hpp>
-#include <rt/lens.hpp>
+#include <rt/lens_and_haze.hpp>
 #include <rt/mat4.hpp>
 #include <rt/metal.hpp>
 #include <rt/own_material.hpp>

@@ -1,10 +1,39 @@
 #pragma once
 #include <optional>
+#include <rt/above_horizon.hpp>
 #include <rt/bounds.hpp>
+#include <rt/hit.hpp>
+#include <rt/ray.hpp>
+#include <rt/reflect.hpp>
+#include <rt/scatter.hpp>
 #include <rt/shape_tree.hpp>
-#include <rt/timed_ray.hpp>
+
+// A material and a shape that need no exercise: all that a mirror and a moving sphere add to matte
+// spheres that stand still. Others are added in the same way.
 
 namespace rt {
+
+// Metal without fuzz (given). Nothing about it is random, so no random numbers are drawn for it.
+struct Mirror {
+    Color albedo;  // the share of light that comes back, each channel in [0, 1]
+};
+
+template <class Random>
+std::optional<Scatter> scatter(const Mirror& material, Vec3 incoming, const Hit& hit,
+                               Random& /*random*/) {
+    const Vec3 normal = facing_normal(hit);
+    return Scatter{material.albedo, above_horizon(reflect(incoming, normal), normal)};
+}
+
+// A ray with a time (given): 0 as the shutter opens, 1 as it closes. The path loop passes the time
+// on from bounce to bounce without knowing about it. Code that does not need the time uses the
+// TimedRay as a plain Ray.
+struct TimedRay {
+    Vec3 origin, direction;
+    Real time = 0;
+
+    operator Ray() const { return {origin, direction}; }
+};
 
 // A sphere that moves along a line while the shutter is open (given).
 struct MovingSphere {

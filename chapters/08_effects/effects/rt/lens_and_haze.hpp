@@ -2,7 +2,16 @@
 #include <rt/color.hpp>
 #include <rt/interval.hpp>
 
+// What is special about rays from the eye: the lens through which they leave, and the haze on their
+// way to the first surface.
+
 namespace rt {
+
+// A lens instead of a pinhole (given). Whatever is at the distance of focus is sharp.
+struct Lens {
+    Real aperture = 0;        // the diameter of the lens, 0 or more; 0 is a pinhole
+    Real focus_distance = 1;  // from the eye along the direction of view, greater than 0
+};
 
 // Haze that fills all space evenly (given): what is far away fades into the haze's color. In
 // painting this is called aerial perspective. Haze counts only between the eye and the first
