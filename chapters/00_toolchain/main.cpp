@@ -33,7 +33,7 @@ Canvas<Color> paint_dusk(int width, int height) {
 }
 
 app::Picture render(const app::Settings& settings, app::Progress&) {
-    const bool by_machine = settings.picked.front() == "machine";
+    const bool by_machine = settings.choice("numbers") == "machine";
     const Canvas<Color> canvas = paint_dusk(64, 36);
     std::unique_ptr<RangeNode> root = make_tree<RangeNode>(0, 8);
     Color (*const paint)(const Corners&, Real, Real) = gradient;

@@ -123,7 +123,7 @@ app::Picture render_with(const Ending& ending, const app::Settings& settings,
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    const std::string& ending = settings.picked.front();
+    const std::string& ending = settings.choice("ending");
     if (ending == "black") return render_with(BlackEnding{}, settings, progress);
     if (ending == "roulette") return render_with(RouletteEnding{}, settings, progress);
     return render_with(SkyEnding{}, settings, progress);

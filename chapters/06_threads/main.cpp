@@ -92,7 +92,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         progress.step();
     });
 
-    const Schedules shown = settings.picked.front() == "rays"
+    const Schedules shown = settings.choice("clock") == "rays"
                                 ? count_rays({grid.width, grid.height, rays}, grid)
                                 : take_time(shader, grid, settings.threads);
     draw_figure(figure, picture, shown);

@@ -29,17 +29,11 @@ int own_threads() {
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
-// The state of the work on rank 0. It is global because render(), which app::run calls, has no
-// parameter for it.
-struct {
+// How far rank 0 has come.
+struct State {
     bool job_is_sent = false, is_shared = false;
-    fs::path folder;  // of finished tiles; empty if none are kept
-} state;
-
-void send(const Job& job) {
-    broadcast(packed(job));
-    state.job_is_sent = true;
-}
+    fs::path folder = {};  // of finished tiles; empty if none are kept
+};
 
 // Sets the frame of a turntable, 0 ... frames - 1, and the side of the tiles, as the options ask
 // for them.
@@ -92,7 +86,7 @@ app::Picture draw_alone(const Job& job, const MeshedDescription& scene,
 }
 
 app::Picture draw_in_group(Job job, const MeshedDescription& scene, const app::Settings& settings,
-                           app::Progress& progress) {
+                           app::Progress& progress, State& state) {
     if (!settings.file.empty()) job.files = files_of(settings.file);
     rehearse();
     if (is_given(settings, "resume")) {
@@ -118,7 +112,8 @@ app::Picture draw_in_group(Job job, const MeshedDescription& scene, const app::S
         else
             collector.add_old(tile);
 
-    send(job);
+    broadcast(packed(job));
+    state.job_is_sent = true;
     TileDrawer drawer{scene, settings.threads};
     const std::uint64_t rays = job.in_slices ? share_slices(job, drawer, &collector.image())
                                              : share_tiles(job, drawer, &collector);
@@ -133,12 +128,12 @@ app::Picture draw_in_group(Job job, const MeshedDescription& scene, const app::S
             }};
 }
 
-app::Picture render(const app::Settings& settings, app::Progress& progress) {
+app::Picture render(const app::Settings& settings, app::Progress& progress, State& state) {
     MeshedDescription scene = full_renderer::open_scene(settings);
     if (!settings.show.empty()) return full_renderer::show_scene(scene, settings, progress);
     Job job;
     job.settings = scene.settings;
-    job.in_slices = settings.picked.front() == "slices";
+    job.in_slices = settings.choice("share") == "slices";
     choose_frame(settings, job);
     turn_to_frame(scene, job);
     if (is_given(settings, "threads")) job.threads = settings.threads;
@@ -151,7 +146,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
                                       " needs ranks: start the program with mpirun -n 2");
         return draw_alone(job, scene, settings, progress);
     }
-    return draw_in_group(job, scene, settings, progress);
+    return draw_in_group(job, scene, settings, progress, state);
 }
 
 // What all ranks except rank 0 do. They print nothing unless they fail.
@@ -171,7 +166,7 @@ int help_rank_0() {
     return result;
 }
 
-app::Program program() {
+app::Program program(State& state) {
     const RenderSettings usual;  // what chapter 08 draws
     app::Settings defaults;
     defaults.width = usual.width;
@@ -183,7 +178,8 @@ app::Program program() {
     return {.name = "13_cluster",
             .about = "chapter 08's picture, drawn by all ranks that mpirun starts",
             .defaults = defaults,
-            .render = render,
+            .render = [&](const app::Settings& settings,
+                          app::Progress& progress) { return render(settings, progress, state); },
             .study = app::program_study,
             .choices = {{"share",
                          "What the ranks share out: tiles, or a slice of the rows for each",
@@ -202,7 +198,9 @@ app::Program program() {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (!has_group()) return app::run(argc, argv, program());
+    State state;
+    app::Program first = program(state);
+    if (!has_group()) return app::run(argc, argv, first);
     const Membership membership{argc, argv};
     bool is_alike = false;
     const int result = app::run_or_explain("13_cluster", [&] {
@@ -211,13 +209,12 @@ int main(int argc, char** argv) {
     });
     if (!is_alike) return result;
     if (rank_of(MPI_COMM_WORLD) > 0) return help_rank_0();
-    app::Program first = program();
     first.has_terminal = mpirun_has_terminal();
     const int code = app::run(argc, argv, first);
     if (!state.job_is_sent) {
         Job none;
         none.is_none = true;
-        send(none);
+        broadcast(packed(none));
     } else if (!state.is_shared) {  // rank 0 failed in the middle, and the others wait for it
         MPI_Abort(MPI_COMM_WORLD, code);
     }

@@ -24,10 +24,10 @@ bool in_batches(const app::Settings& settings) {
     return settings.given.count("batches") > 0;
 }
 bool by_sobol(const app::Settings& settings) {
-    return !settings.picked.empty() && settings.picked.front() == "sobol";
+    return settings.choice("sampler") == "sobol";
 }
 bool by_tent(const app::Settings& settings) {
-    return !settings.picked.empty() && settings.picked.back() == "tent";
+    return settings.choice("filter") == "tent";
 }
 
 void check_together(const app::Settings& settings) {

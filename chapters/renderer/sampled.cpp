@@ -198,7 +198,8 @@ app::Picture refine(const MeshedDescription& scene, const app::Settings& setting
     const Quality quality{samples_of_pass, scene.settings.depth, scene.settings.seed};
     const bool in_batches = settings.given.count("batches") > 0;
     // Sobol's points, unless jittered samples are asked for.
-    const bool sobol = settings.given.count("sampler") == 0 || settings.picked.front() == "sobol";
+    const bool sobol =
+        settings.given.count("sampler") == 0 || settings.choice("sampler") == "sobol";
     const PassWorkers drawing = make_passes(scene, width, height, quality, sobol, in_batches);
     explain(drawing.choice);
 

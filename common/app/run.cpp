@@ -328,13 +328,12 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
     options.add_option("--out", request.out, "The image file, .png or .ppm")->capture_default_str();
     add_numbers(options, settings);
     if (settings.view) add_view(options, *settings.view);
-    for (const Choice& choice : program.choices) settings.picked.push_back(choice.words.front());
-    for (std::size_t i = 0; i < program.choices.size(); ++i)
-        options
-            .add_option("--" + program.choices[i].name, settings.picked[i],
-                        program.choices[i].about)
-            ->check(CLI::IsMember(program.choices[i].words))
+    for (const auto& [name, about, words] : program.choices) {
+        settings.choices[name] = words.front();
+        options.add_option("--" + name, settings.choices[name], about)
+            ->check(CLI::IsMember(words))
             ->capture_default_str();
+    }
     if (!program.shows.empty())
         options
             .add_option("--show", settings.show,

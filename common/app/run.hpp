@@ -34,8 +34,8 @@ struct Settings {
     // Where the camera stands, what it looks at, and how much it sees. None if the camera cannot be
     // moved.
     std::optional<rt::View> view = {};
-    // The word that was chosen for each of Program::choices, in the same order.
-    std::vector<std::string> picked = {};
+    // The word that was chosen for each of Program::choices, by name.
+    std::map<std::string, std::string> choices = {};
     // Which of Program::shows should be drawn; empty for the chapter's picture.
     std::string show = {};
     // The values given for Program::numbers, by name.
@@ -46,6 +46,9 @@ struct Settings {
     std::set<std::string> given = {};
     // Prints what the program is about to do, and why; empty unless --explain asks for it.
     std::function<void(const std::string&)> explain = {};
+
+    // The word that was chosen for one of Program::choices.
+    const std::string& choice(const std::string& name) const { return choices.at(name); }
 };
 
 // An option that only one program has, and that takes one of a few words:
@@ -103,7 +106,7 @@ struct Program {
     std::string name;   // such as "03_sphere"
     std::string about;  // one sentence: what the picture shows
     Settings defaults;
-    Picture (*render)(const Settings&, Progress&);
+    std::function<Picture(const Settings&, Progress&)> render;
     void (*study)(study::Report&);
     // How a .ppm file is encoded, if the chapter has its own way.
     std::string (*encode_ppm)(const rt::Image&) = nullptr;
