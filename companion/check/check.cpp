@@ -148,22 +148,6 @@ Verdict run_tests(const Course& course, const Checked& checked) {
     return core;
 }
 
-// Records when each answer first passed. If one check finds passing answers in several chapters,
-// they were written some time before, for example because the recorded progress was lost: then the
-// time is unknown.
-void note_first_passes(State& state, std::vector<Checked>& all) {
-    std::set<std::string> chapters;
-    for (Checked& checked : all)
-        if (auto* const passed = std::get_if<Passed>(&checked.verdict)) {
-            passed->for_the_first_time = state.exercises[checked.exercise.id].first_passed == 0;
-            if (passed->for_the_first_time) chapters.insert(checked.exercise.chapter.name);
-        }
-    const std::int64_t time = chapters.size() > 1 ? unknown_time : std::time(nullptr);
-    for (const Checked& checked : all)
-        if (checked.passed() && checked.passed()->for_the_first_time)
-            state.exercises[checked.exercise.id].first_passed = time;
-}
-
 // Adds the stars that are open only in float.
 void add_float_stars(Passed& in_double, const Passed& in_float) {
     auto& open = in_double.open_stars;
@@ -173,6 +157,61 @@ void add_float_stars(Passed& in_double, const Passed& in_float) {
                          [&](const OpenStar& other) { return other.test.name == star.test.name; }))
             open.push_back(std::move(star));
     }
+}
+
+// Checks those that pass once more, with rt::Real as float.
+void check_in_float(const Course& course, std::vector<Checked>& all) {
+    struct Try {
+        Checked& in_double;
+        Checked in_float;
+    };
+    std::vector<Try> tries;
+    std::vector<Checked*> unbuilt;
+    for (Checked& checked : all)
+        if (checked.passed() && checked.exercise.chapter.uses_real)
+            tries.push_back(
+                {checked, {checked.exercise, {}, true, checked.is_built, checked.warning}});
+    for (Try& one : tries)
+        if (!one.in_float.is_built) unbuilt.push_back(&one.in_float);
+    build_all(course, unbuilt);
+    in_parallel(tries.size(), [&](std::size_t i) {
+        Checked& in_float = tries[i].in_float;
+        if (!in_float.is<NotCompiled>()) in_float.verdict = run_tests(course, in_float);
+    });
+    for (auto& [in_double, in_float] : tries)
+        if (in_float.passed())
+            add_float_stars(std::get<Passed>(in_double.verdict), *in_float.passed());
+        else
+            in_double = std::move(in_float);
+}
+
+// Records the verdicts on the files that had these hashes, and when each answer first passed. If
+// one check finds passing answers in several chapters, they were written some time before, for
+// example because the recorded progress was lost: then the time is unknown.
+void record(const Course& course, const std::vector<Checked>& all,
+            const std::vector<std::string>& hashes) {
+    change_state(course, [&](State& state) {
+        std::set<std::string> chapters;
+        std::vector<Record*> first_passes;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            const Passed* const passed = all[i].passed();
+            Record& record = state.exercises[all[i].exercise.id];
+            record.passed = passed;
+            // If its files are missing, or if it waits for another exercise, nothing is known of
+            // its answer.
+            const bool is_known = !all[i].is<NoFile>() && !all[i].is<Waiting>() &&
+                                  hash_of(course, all[i].exercise) == hashes[i];
+            record.hash = is_known ? hashes[i] : "";
+            record.warning = all[i].warning;
+            record.stars = passed ? passed->stars : 0;
+            record.open_stars = passed ? static_cast<int>(passed->open_stars.size()) : 0;
+            if (!passed || record.first_passed != 0) continue;
+            first_passes.push_back(&record);
+            chapters.insert(all[i].exercise.chapter.name);
+        }
+        const std::int64_t time = chapters.size() > 1 ? unknown_time : std::time(nullptr);
+        for (Record* const record : first_passes) record->first_passed = time;
+    });
 }
 
 }  // namespace
@@ -194,7 +233,8 @@ int Checked::passed_cases() const {
                                           [](const TestCase& test) { return test.passed; }));
 }
 
-std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises) {
+std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises,
+                                     const std::function<void(const std::vector<Checked>&)>& tell) {
     std::vector<Checked> all;
     all.reserve(exercises.size());
     std::vector<std::string> hashes;
@@ -219,22 +259,9 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             checked.warning = known->second.warning;
         if (!checked.is<NotCompiled>()) checked.verdict = run_tests(course, checked);
     });
-    change_state(course, [&](State& state) {
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            const Passed* const passed = all[i].passed();
-            Record& record = state.exercises[all[i].exercise.id];
-            record.passed = passed;
-            // If its files are missing, or if it waits for another exercise, nothing is known of
-            // its answer.
-            const bool is_known = !all[i].is<NoFile>() && !all[i].is<Waiting>() &&
-                                  hash_of(course, all[i].exercise) == hashes[i];
-            record.hash = is_known ? hashes[i] : "";
-            record.warning = all[i].warning;
-            record.stars = passed ? passed->stars : 0;
-            record.open_stars = passed ? static_cast<int>(passed->open_stars.size()) : 0;
-        }
-        note_first_passes(state, all);
-    });
+    tell(all);
+    check_in_float(course, all);
+    record(course, all, hashes);
     return all;
 }
 
@@ -242,48 +269,6 @@ void prepare_check(const Course& course, const Exercise& exercise) {
     std::vector<std::string> targets{"check." + exercise.id};
     if (exercise.chapter.uses_real) targets.push_back(targets[0] + ".float");
     build(course, targets);
-}
-
-void check_in_float(const Course& course, std::vector<Checked>& all) {
-    struct Try {
-        Checked* in_double;
-        Checked in_float;
-    };
-    std::vector<Try> tries;
-    for (Checked& checked : all)
-        if (checked.passed() && checked.exercise.chapter.uses_real)
-            tries.push_back(
-                {&checked, {checked.exercise, {}, true, checked.is_built, checked.warning}});
-    if (tries.empty()) return;
-    std::vector<Checked*> unbuilt;
-    for (Try& one : tries)
-        if (!one.in_float.is_built) unbuilt.push_back(&one.in_float);
-    build_all(course, unbuilt);
-    in_parallel(tries.size(), [&](std::size_t i) {
-        Checked& in_float = tries[i].in_float;
-        if (!in_float.is<NotCompiled>()) in_float.verdict = run_tests(course, in_float);
-    });
-    std::set<std::string> no_first_pass;
-    for (auto& [in_double, in_float] : tries) {
-        auto& passed = std::get<Passed>(in_double->verdict);
-        if (in_float.passed()) {
-            add_float_stars(passed, *in_float.passed());
-            continue;
-        }
-        if (passed.for_the_first_time) no_first_pass.insert(in_float.exercise.id);
-        *in_double = std::move(in_float);
-    }
-    change_state(course, [&](State& state) {
-        for (const Try& one : tries) {
-            const Checked& checked = *one.in_double;
-            const Passed* const passed = checked.passed();
-            Record& record = state.exercises[checked.exercise.id];
-            if (record.hash != hash_of(course, checked.exercise)) record.hash.clear();
-            record.passed = record.passed && passed;
-            record.open_stars = passed ? static_cast<int>(passed->open_stars.size()) : 0;
-            if (no_first_pass.count(checked.exercise.id)) record.first_passed = 0;
-        }
-    });
 }
 
 }  // namespace companion

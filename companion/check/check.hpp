@@ -3,6 +3,7 @@
 
 #include <companion/check/cases.hpp>
 #include <companion/model/exercise.hpp>
+#include <functional>
 #include <variant>
 
 namespace companion {
@@ -22,7 +23,6 @@ struct Passed {  // the core; stars may be open
     std::vector<TestCase> tests{};
     int stars = 0;  // how many hard test cases there are
     std::vector<OpenStar> open_stars{};
-    bool for_the_first_time = false;
 };
 struct Failing {  // an assertion of the core does not hold, or an exception was thrown
     static constexpr const char* says = "fails";
@@ -87,16 +87,16 @@ struct Checked {
 };
 
 // Checks these exercises, each in a program of its own, and remembers the verdicts. An exercise
-// that the learner has not begun is not built. Throws app::Failure if the build itself is broken.
-std::vector<Checked> check_exercises(const Course& course, const std::vector<Exercise>& exercises);
+// that the learner has not begun is not built. Those that pass and that compute with rt::Real are
+// checked once more, with Real as float: if the core fails there, that is the verdict, and a hard
+// case that fails is an open star. Before that, `tell` gets what is known so far, because a learner
+// waits for it. Throws app::Failure if the build itself is broken.
+std::vector<Checked> check_exercises(
+    const Course& course, const std::vector<Exercise>& exercises,
+    const std::function<void(const std::vector<Checked>&)>& tell = [](const auto&) {});
 
 // Compiles the test cases of an exercise in both precisions, so that its first check need only
 // compile the answer. If something cannot be built, that check will report it.
 void prepare_check(const Course& course, const Exercise& exercise);
-
-// Checks the exercises that pass and that compute with rt::Real once more, with Real as float. If
-// the core fails in float, the verdict changes; a hard case that fails is an open star. Both are
-// remembered.
-void check_in_float(const Course& course, std::vector<Checked>& all);
 
 }  // namespace companion

@@ -15,7 +15,7 @@ struct CheckedChapter {
     std::string why() const;
 };
 
-// Checks all exercises of the core, also in float.
+// Checks all exercises of the core.
 std::vector<CheckedChapter> check_all_chapters(const Course& course);
 
 }  // namespace companion

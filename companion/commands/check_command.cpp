@@ -87,9 +87,7 @@ int check_sanitized(const Course& course, const Given& given) {
     return run.passed ? app::done : app::could_not;
 }
 
-int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool every_star) {
-    const Turn turn{course};
-    std::vector<Checked> all = check_exercises(course, some);
+void print_summary(const std::vector<Checked>& all) {
     std::string chapter;
     for (const Checked& checked : all) {
         if (checked.exercise.chapter.name != chapter) {
@@ -99,7 +97,11 @@ int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool
         print(summary_line(checked));
     }
     if (all.empty()) print("Nothing is written yet.\n");
-    check_in_float(course, all);
+}
+
+int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool every_star) {
+    const Turn turn{course};
+    const std::vector<Checked> all = check_exercises(course, some, print_summary);
     print(float_lines(all));
 
     // The details are about the exercise where they help most: the first one that is wrong, or else

@@ -137,8 +137,11 @@ class Watch {
         std::string trouble;
         try {
             turn.emplace(course_);
-            const WaitingLine waiting{"checking " + all_[current_].id};
-            checked = check_exercises(course_, {all_[current_]});
+            std::optional<WaitingLine> waiting{"checking " + all_[current_].id};
+            checked = check_exercises(course_, {all_[current_]}, [&](const auto& in_double) {
+                waiting.reset();
+                print(summary_line(in_double[0]));
+            });
         } catch (const app::Failure& failure) {
             trouble = failure.what();
         }
@@ -147,8 +150,6 @@ class Watch {
             print_keys();
             return false;
         }
-        print(summary_line(checked[0]));
-        check_in_float(course_, checked);
         print(float_lines(checked));
         const auto is_saved_again = [&] { return written(course_, all_) != seen_; };
         const EndsRuns ends{is_saved_again};

@@ -53,14 +53,14 @@ mkdir -p check
     case $id in *.float) grep -q 'not in float' "$file" && narrow=yes ;; esac
     if grep -q wrong "$file" || [ $narrow = yes ]; then
         event '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
-            '"messages":["expected 2, but yours gives 3.\nHint: count once more"]}'
+            '"messages":[{"text":"expected 2, but yours gives 3.\nHint: count once more","expected":"2"}]}'
         event "$failed"
     elif grep -q 'needs 01.2' "$file"; then
         event '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'
         event "$failed"
     elif grep -q 'needs 01.1' "$file"; then
         event '{"event":"failed","exception":"there","missing":"01.1",' \
-            '"messages":["Hint: is it the function that was declared?"]}'
+            '"messages":[{"text":"Hint: is it the function that was declared?"}]}'
         event "$failed"
     elif grep -q '^endless\|^computes\|^crash\|, then crash\|chatter' "$file"; then
         :
@@ -104,7 +104,7 @@ mkdir -p check
         case $id in *.float) ! grep -q "star $name open in float$" "$file" || passed=false ;; esac
         [ $passed = true ] ||
             event '{"event":"failed","macro":"CHECK","expression":"c == d","expanded":"8 == 7",' \
-                '"messages":["expected 7, but yours gives 8"]}'
+                '"messages":[{"text":"expected 7, but yours gives 8","expected":"7"}]}'
         event '{"event":"ends","passed":'$passed',"output":""}'
         say ';; esac'
     done
@@ -370,6 +370,15 @@ class Companion(unittest.TestCase):
             said = self.course("certify", code=3)
             self.assertNotIn("rung", said.replace("rungs", ""))
             self.assertIn("not judged yet", said)
+
+    def test_certify_checks_an_elective_in_float_too(self):
+        self.add_elective()
+        self.put("exercises/02_more/rt/three.hpp", "right, but not in float\n")
+        self.assertIn("0 of 1 exercises pass", self.course("certify", code=3))
+        state = json.loads((self.root / ".course/state.json").read_text())
+        self.assertFalse(state["exercises"]["02.1"]["passed"])
+        self.put("exercises/02_more/rt/three.hpp", "right\n")
+        self.assertIn("1 of 1 exercises pass", self.course("certify", code=3))
 
     def test_own_chapter_comes_after_the_exercises(self):
         self.add_own_chapter()
@@ -1030,6 +1039,14 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.course("book", "--mine")
         self.assertIn("This is not known: there is no record of when 2 answers first passed.", (self.root / "out/mine.html").read_text())
 
+    def test_a_first_pass_counts_in_both_precisions(self):
+        self.add_second_chapter()
+        self.write("one", "right\n")
+        self.put("exercises/02_more/rt/three.hpp", "not in float\n")
+        self.course("check", code=1)
+        self.assertGreater(self.first_passed("01.1"), 0)  # and not unknown: it is the only one
+        self.assertEqual(self.first_passed("02.1"), 0)
+
     def test_book_mine_makes_a_page_to_share(self):
         self.write("one", "right\n")
         self.write("two", "wrong\n")
@@ -1595,7 +1612,7 @@ event '{"event":"cases","cases":[{"name":"01.1 the answer is right"},{"name":"01
 event '{"event":"begins","name":"01.1 the answer is right"}'
 for word in wrong other; do
     ! grep -q \\$word "\\$answer" || event '{"event":"failed","macro":"CHECK","expression":"'\\$word'",' \\
-        '"expanded":"3 == 2","messages":["expected 2, but yours gives 3"]}'
+        '"expanded":"3 == 2","messages":[{"text":"expected 2, but yours gives 3","expected":"2"}]}'
 done
 if grep -q 'wrong\\|other' "\\$answer"; then passed=false; else passed=true; fi
 event '{"event":"ends","passed":'\\$passed',"output":""}'
