@@ -55,7 +55,7 @@ std::string said_by_all(const std::vector<TestCase>& tests) {
     std::string said;
     for (const TestCase& test : tests) {
         if (test.failures.empty() || test.failures.back().messages.empty()) return "";
-        const std::string& message = test.failures.back().messages.front();
+        const std::string& message = test.failures.back().messages.front().text;
         if (!said.empty() && message != said) return "";
         said = message;
     }

@@ -15,25 +15,6 @@ std::string short_hash(const std::string& text) {
     return hash_of(text).substr(8);
 }
 
-// Hints are advice and may be reworded, so they do not belong to the signature.
-std::string without_hints(const std::string& message) {
-    std::string kept;
-    for (std::size_t at = 0; at < message.size();) {
-        const auto end = std::min(message.find('\n', at), message.size());
-        const std::string line = message.substr(at, end - at);
-        if (line.rfind("Hint:", 0) != 0) kept += line + '\n';
-        at = end + 1;
-    }
-    return kept;
-}
-
-// The message closest to the assertion: earlier ones may be about other functions.
-std::string last_message(const FailedAssertion& failure) {
-    for (auto message = failure.messages.rbegin(); message != failure.messages.rend(); ++message)
-        if (const std::string kept = without_hints(*message); !kept.empty()) return kept;
-    return "";
-}
-
 std::size_t common(const std::set<std::string>& a, const std::set<std::string>& b) {
     std::size_t count = 0;
     for (const std::string& item : a) count += b.count(item);
@@ -73,10 +54,13 @@ Signature signature_of(const std::vector<TestCase>& tests) {
         for (const FailedAssertion& failure : test.failures) {
             const std::string where = test.name + '\n' + failure.expression;
             signature.where.insert(short_hash(where));
+            // Earlier messages may be about other functions.
+            const Message* said = failure.expectation();
+            if (!said && !failure.messages.empty()) said = &failure.messages.back();
             signature.what.insert(
                 short_hash(where + '\n' +
                            with_rounded_numbers(failure.expanded + '\n' + failure.exception + '\n' +
-                                                last_message(failure))));
+                                                (said ? said->text : ""))));
         }
         if (test.broke_off()) {
             const std::string where = test.name + "\nnever ended";

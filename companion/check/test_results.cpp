@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <companion/check/test_results.hpp>
 #include <companion/system/terminal.hpp>
 #include <nlohmann/json.hpp>
@@ -8,8 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-std::string trimmed(const std::string& text) {
-    const char* const blank = " \t\r\n";
+std::string trimmed(const std::string& text, const char* blank = " \t\r\n") {
     const auto first = text.find_first_not_of(blank);
     return first == std::string::npos
                ? ""
@@ -45,8 +45,10 @@ FailedAssertion read_failure(const json& event) {
         failure.expression = "FAIL";
     failure.expanded = one_line(text_of(event, "expanded"));
     failure.missing = text_of(event, "missing");
-    for (const std::string& message : event.value("messages", std::vector<std::string>{}))
-        failure.messages.push_back(trimmed(printable(message)));
+    for (const json& message : event.value("messages", json::array()))
+        failure.messages.push_back(
+            {trimmed(text_of(message, "text")), trimmed(text_of(message, "expected"), " ,.;\n"),
+             trimmed(text_of(message, "actual"), " ,.;\n"), message.value("if_it_crashes", false)});
     return failure;
 }
 
@@ -76,6 +78,18 @@ void read_event(const json& event, Report& report) {
 }
 
 }  // namespace
+
+bool Message::compares() const {
+    // The expected value may have words before it: "the point (1, 4, 3)".
+    return !expected.empty() && !actual.empty() && expected.find(actual) == std::string::npos;
+}
+
+const Message* FailedAssertion::expectation() const {
+    const auto last = std::find_if(messages.rbegin(), messages.rend(), [](const Message& message) {
+        return !message.expected.empty();
+    });
+    return last == messages.rend() ? nullptr : &*last;
+}
 
 Report read_report(const std::string& lines, const std::string& secret) {
     const std::string start = secret.empty() ? "{" : secret + " {";

@@ -7,13 +7,28 @@
 
 namespace companion {
 
+// What a test says about an assertion: see tests/support/catch.hpp.
+struct Message {
+    std::string text;              // for the learner: values, hints
+    std::string expected, actual;  // the values that the text names, if it does
+    bool if_it_crashes = false;    // it helps only if the code crashes
+
+    // Whether the text shows two values that differ. If they are the same, the message belongs to
+    // an earlier assertion, or shows too few digits.
+    bool compares() const;
+};
+
 // An assertion that did not hold, or an unexpected exception.
 struct FailedAssertion {
-    std::string expression;             // as in the test's source: "CHECK( a == b )"
-    std::string expanded;               // with the values: "1 == 2"
-    std::string exception;              // what was thrown, if anything
-    std::vector<std::string> messages;  // what the test says: expected and actual values, hints
+    std::string expression;  // as in the test's source: "CHECK( a == b )"
+    std::string expanded;    // with the values: "1 == 2"
+    std::string exception;   // what was thrown, if anything
+    std::vector<Message> messages;
     std::string missing;  // the exercise whose rt::todo was thrown, such as "01.3"; or none
+
+    // The last message that names an expected value; null if none does. Others that do so belong to
+    // earlier assertions.
+    const Message* expectation() const;
 };
 
 struct TestCase {

@@ -167,37 +167,14 @@ bool says_more(const FailedAssertion& failure) {
     return true;
 }
 
-// Whether a message helps only if the code crashes.
-bool is_about_a_crash(const std::string& message) {
-    return message.find("if this crashes") != std::string::npos;
-}
-
-// Whether a message names an expected and an actual value, "expected 2, actual 3", that differ. If
-// they are the same, the message belongs to an earlier assertion, or shows too few digits.
-bool compares(const std::string& message) {
-    const std::string before = "expected ", between = "actual ";
-    const auto first = message.find(before), second = message.find(between, first);
-    if (first == std::string::npos || second == std::string::npos) return false;
-    const auto begin = second + between.size();
-    std::string actual = message.substr(begin, message.find('\n', begin) - begin);
-    if (!actual.empty() && actual.back() == '.') actual.pop_back();
-    return message.substr(first, second - first).find(actual) == std::string::npos;
-}
-
 std::string describe(const FailedAssertion& failure, bool is_star) {
-    // If several messages name expected values, the last counts: the others
-    // belong to earlier assertions.
-    const auto expects = [](const std::string& message) {
-        return message.find("expected ") != std::string::npos;
-    };
-    const auto& messages = failure.messages;
-    const auto last = std::find_if(messages.rbegin(), messages.rend(), expects);
+    const Message* const last = failure.expectation();
     std::string text;
-    for (const std::string& message : messages)
-        if (!is_about_a_crash(message) && (!expects(message) || &message == &*last))
-            text += wrapped(readable(message), "    ");
+    for (const Message& message : failure.messages)
+        if (!message.if_it_crashes && (message.expected.empty() || &message == last))
+            text += wrapped(readable(message.text), "    ");
     // The values of an assertion add nothing where a message has compared them already.
-    const bool is_told = !is_star && last != messages.rend() && compares(*last);
+    const bool is_told = !is_star && last && last->compares();
     if (!is_told && !failure.expression.empty() && failure.expression != "FAIL" &&
         !is_unknown(failure)) {
         text += wrapped("checked: " + failure.expression, "    ");
@@ -218,8 +195,8 @@ std::string describe_all(const TestCase& test) {
 std::string hint_on_crash(const std::vector<TestCase>& tests) {
     for (const TestCase& test : tests)
         if (test.broke_off() && !test.failures.empty())
-            for (const std::string& message : test.failures.back().messages)
-                if (is_about_a_crash(message)) return wrapped(message, "  ");
+            for (const Message& message : test.failures.back().messages)
+                if (message.if_it_crashes) return wrapped(message.text, "  ");
     return "";
 }
 

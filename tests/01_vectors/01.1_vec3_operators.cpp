@@ -20,7 +20,7 @@ bool same(Vec3 a, Vec3 b) {
 
 void check(const std::string& what, Vec3 expected, Vec3 actual, const char* hint) {
     if (!same(expected, actual)) {
-        INFO(what << ": expected " << text(expected) << ", actual " << text(actual)
+        INFO(what << ": " EXPECTED << text(expected) << ", " ACTUAL << text(actual)
                   << ".\nHint: " << hint);
         const std::string wanted = text(expected), came = text(actual);
         REQUIRE(came == wanted);

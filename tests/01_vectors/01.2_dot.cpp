@@ -23,7 +23,7 @@ void check_dot(Vec3 a, Vec3 b) {
 TEST_CASE("01.2 the dot product sums the products of all three components", "[01.2]") {
     const Vec3 a{1, 2, 3}, b{10, 100, 1000};
     const Real computed = rt::dot(a, b);
-    INFO("dot((1, 2, 3), (10, 100, 1000)): expected 10 + 200 + 3000 = 3210, actual "
+    INFO("dot((1, 2, 3), (10, 100, 1000)): " EXPECTED "10 + 200 + 3000 = 3210, " ACTUAL
          << text(computed));
     if (computed == 210) INFO("Hint: the product of the z components is missing from your sum");
     CHECK(computed == 3210);

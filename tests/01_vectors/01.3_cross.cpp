@@ -31,14 +31,14 @@ TEST_CASE("01.3 x cross y is z and y cross z is x and z cross x is y", "[01.3]")
 
 TEST_CASE("01.3 the cross product changes its sign when its factors are swapped", "[01.3]") {
     const Vec3 a{1, 2, 3}, b{4, 5, 7};
-    INFO("cross((1, 2, 3), (4, 5, 7)): expected (-1, 5, -3), actual " << text(rt::cross(a, b)));
+    INFO("cross((1, 2, 3), (4, 5, 7)): " EXPECTED "(-1, 5, -3), " ACTUAL << text(rt::cross(a, b)));
     CHECK(rt::cross(a, b) == Vec3{-1, 5, -3});
     CHECK(rt::cross(b, a) == Vec3{1, -5, 3});
 }
 
 TEST_CASE("01.3 the cross product of a vector with itself is exactly zero", "[01.3][hard]") {
     const Vec3 a{real(0.1), real(-0.7), real(0.3)};
-    INFO("expected (0, 0, 0), actual "
+    INFO(EXPECTED "(0, 0, 0), " ACTUAL
          << text(rt::cross(a, a))
          << ".\nHint: the two products of a component must be rounded in the same way");
     CHECK(rt::cross(a, a) == Vec3{0, 0, 0});

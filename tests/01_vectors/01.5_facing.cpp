@@ -40,8 +40,8 @@ TEST_CASE("01.5 facing returns the sign of the cosine", "[01.5]") {
                                               {Vec3{5, real(-0.25), 3}, -1},
                                               {Vec3{1, 0, -2}, 0}}) {
         const int side = rt::facing(normal, to_viewer);
-        INFO("facing(" << text(normal) << ", " << text(to_viewer) << "): expected " << expected
-                       << ", actual " << side << ".\nHint: the dot product, " << text(to_viewer.y)
+        INFO("facing(" << text(normal) << ", " << text(to_viewer) << "): " EXPECTED << expected
+                       << ", " ACTUAL << side << ".\nHint: the dot product, " << text(to_viewer.y)
                        << ", is positive for angles below 90 degrees and negative above");
         CHECK(side == expected);
     }

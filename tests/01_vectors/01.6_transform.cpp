@@ -36,7 +36,7 @@ void check_sum(Vec3 a, Vec3 b, Real more, Real computed, const char* what) {
     const Exact expected = dot(a, b) + Exact(more);
     const double size =
         size_of_terms(exact_vector(a), exact_vector(b)) + static_cast<double>(std::abs(more));
-    INFO(what << ": expected " << text(expected) << ", actual " << text(computed));
+    INFO(what << ": " EXPECTED << text(expected) << ", " ACTUAL << text(computed));
     REQUIRE(times_allowed(computed, expected, static_cast<double>(rt::rounding_bound(5)) * size) <=
             1);
 }
@@ -78,7 +78,7 @@ void check_maps(rt::Rng& rng, Real low, Real high) {
 
 TEST_CASE("01.6 a point is turned and moved", "[01.6]") {
     const Vec3 computed = rt::transform_point(map, {1, 2, 3});
-    INFO("expected (12, 17, 32), actual " << text(computed)
+    INFO(EXPECTED "(12, 17, 32), " ACTUAL << text(computed)
                                           << ".\nHint: multiply each row by (x, y, z, 1): (12, 17, "
                                              "32) is (2 x, -z, y) + (10, 20, 30)");
     CHECK(computed == Vec3{12, 17, 32});
@@ -86,7 +86,7 @@ TEST_CASE("01.6 a point is turned and moved", "[01.6]") {
 
 TEST_CASE("01.6 a direction is turned but not moved", "[01.6]") {
     const Vec3 computed = rt::transform_vector(map, {1, 2, 3});
-    INFO("expected (2, -3, 2), actual " << text(computed)
+    INFO(EXPECTED "(2, -3, 2), " ACTUAL << text(computed)
                                         << ".\nHint: multiply each row by (x, y, z, 0)");
     CHECK(computed == Vec3{2, -3, 2});
 }
@@ -106,7 +106,7 @@ TEST_CASE("01.6 a normal stays perpendicular to its surface", "[01.6]") {
 
 TEST_CASE("01.6 transform_normal uses the columns of the inverse and no translation", "[01.6]") {
     const Vec3 computed = rt::transform_normal(inverse_of_map, {1, 2, 3});
-    INFO("expected (0.5, -3, 2), actual "
+    INFO(EXPECTED "(0.5, -3, 2), " ACTUAL
          << text(computed)
          << ".\nHint: component x is the dot product of column 0 of the inverse and n, and so on; "
             "leave the translation out");

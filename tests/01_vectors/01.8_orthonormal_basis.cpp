@@ -24,7 +24,7 @@ void check_basis(Vec3 w) {
                               << ". (The numbers below are in units of epsilon.)");
     {
         const double moved = static_cast<double>(max_component(kept - w) / rt::epsilon);
-        INFO("expected the third vector to be w itself, actual " << text(kept));
+        INFO(EXPECTED "the third vector to be w itself, " ACTUAL << text(kept));
         REQUIRE(moved <= 4);  // normalized once more, it may move a little
     }
     {

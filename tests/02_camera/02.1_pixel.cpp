@@ -88,7 +88,7 @@ TEST_CASE("02.1 x grows to the right and y grows upward from the middle", "[02.1
     for (const auto& [column, row, expected] : pixels) {
         const Vec2 p = rt::pixel_to_viewport(coarse, column, row, {Real(0.5), Real(0.5)});
         INFO("4x2 pixels on a viewport of 8x3: the middle of column "
-             << column << ", row " << row << ": expected " << text(expected) << ", actual "
+             << column << ", row " << row << ": " EXPECTED << text(expected) << ", " ACTUAL
              << text(p) << ".\nHint: " << suggestion(p, expected));
         CHECK(p == expected);
     }
@@ -96,17 +96,15 @@ TEST_CASE("02.1 x grows to the right and y grows upward from the middle", "[02.1
 
 TEST_CASE("02.1 the offset is measured from the top left corner of the pixel", "[02.1]") {
     const Vec2 top_left = rt::pixel_to_viewport(coarse, 1, 0, {0, 0});
-    INFO(
-        "4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0, 0): expected its top left "
-        "corner (-2, 1.5), actual "
-        << text(top_left)
-        << ".\nHint: offset (0, 0) is the corner: add the offset, not a fixed half");
+    INFO("4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0, 0): " EXPECTED
+         "its top left corner (-2, 1.5), " ACTUAL
+         << text(top_left)
+         << ".\nHint: offset (0, 0) is the corner: add the offset, not a fixed half");
     CHECK(top_left == Vec2{-2, Real(1.5)});
     const Vec2 inside = rt::pixel_to_viewport(coarse, 1, 0, {Real(0.25), Real(0.5)});
-    INFO(
-        "4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0.25, 0.5): expected (-1.5, "
-        "0.75), actual "
-        << text(inside));
+    INFO("4x2 pixels on a viewport of 8x3, column 1, row 0, offset (0.25, 0.5): " EXPECTED
+         "(-1.5, 0.75), " ACTUAL
+         << text(inside));
     CHECK(inside == Vec2{Real(-1.5), Real(0.75)});
 }
 
@@ -118,8 +116,8 @@ TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
         const Vec2 last = rt::pixel_to_viewport(c, width - 1, height - 1, {1, 1});
         INFO(width
              << "x" << height
-             << " pixels on a viewport of 16x32: expected the outermost corners (-8, 16) and (8, "
-                "-16), actual "
+             << " pixels on a viewport of 16x32: " EXPECTED
+                "the outermost corners (-8, 16) and (8, -16), " ACTUAL
              << text(first) << " and " << text(last)
              << ".\nHint: n pixels have n widths between the outer edges, so divide by width, not "
                 "by width - 1; and half of an odd size is not a whole number: convert it to Real "
@@ -132,7 +130,7 @@ TEST_CASE("02.1 the pixels fill the viewport from edge to edge", "[02.1]") {
 TEST_CASE("02.1 points are correct in images of 1x1 and 1x10000 pixels", "[02.1][hard]") {
     {
         const Vec2 middle = rt::pixel_to_viewport(camera(1, 1, 2, 2), 0, 0, {Real(0.5), Real(0.5)});
-        INFO("the middle of a single pixel: expected (0, 0), actual "
+        INFO("the middle of a single pixel: " EXPECTED "(0, 0), " ACTUAL
              << text(middle)
              << ".\nHint: width - 1 is 0 here, and so is width / 2 as long as width is an int");
         CHECK(middle == Vec2{0, 0});

@@ -112,7 +112,7 @@ TEST_CASE("02.2 the width is the height times the aspect ratio", "[02.2]") {
 TEST_CASE("02.2 the height does not depend on the aspect ratio", "[02.2]") {
     const Real narrow = rt::viewport_size(Real(1), Real(0.5)).height;
     const Real wide = rt::viewport_size(Real(1), Real(2)).height;
-    INFO("aspect ratios 0.5 and 2: expected the same height for both, actual "
+    INFO("aspect ratios 0.5 and 2: " EXPECTED "the same height for both, " ACTUAL
          << text(narrow) << " and " << text(wide) << ".\nHint: the field of view is vertical");
     CHECK(error_in_ulp(narrow, Exact(wide)) <= allowed_height);
 }

@@ -138,7 +138,7 @@ const char* suggestion(const Basis& b) {
 
 TEST_CASE("02.3 w points from the target back to the eye", "[02.3]") {
     const Basis b = rt::look_at({1, 2, 10}, {1, 2, 4}, {0, 1, 0});
-    INFO("from (1, 2, 10) at (1, 2, 4): expected w = (0, 0, 1), actual "
+    INFO("from (1, 2, 10) at (1, 2, 4): " EXPECTED "w = (0, 0, 1), " ACTUAL
          << checkpoint::text(b.w)
          << ".\nHint: the camera looks along -w, so w = normalize(from - at)");
     CHECK(b.w == Vec3{0, 0, 1});
@@ -154,8 +154,8 @@ TEST_CASE("02.3 u points right and v up in the picture", "[02.3]") {
                  {"along -x", {-5, 0, 0}, {0, 0, -1}, {0, 1, 0}}};
     for (const auto& [name, at, u, v] : views) {
         const Basis b = rt::look_at({0, 0, 0}, at, {0, 1, 0});
-        INFO("looking " << name << " with y up: expected u = " << checkpoint::text(u)
-                        << ", v = " << checkpoint::text(v) << ", actual " << text(b)
+        INFO("looking " << name << " with y up: " EXPECTED "u = " << checkpoint::text(u)
+                        << ", v = " << checkpoint::text(v) << ", " ACTUAL << text(b)
                         << ".\nHint: " << suggestion(b));
         CHECK(b.u == u);
         CHECK(b.v == v);
@@ -166,7 +166,7 @@ TEST_CASE("02.3 up may be slanted and of any length", "[02.3]") {
     for (const Vec3 up : {Vec3{0, 3, 4}, Vec3{0, Real(0.125), -2}, Vec3{0, 1, 100}}) {
         const Basis b = rt::look_at({0, 0, 0}, {0, 0, -2}, up);
         INFO("looking along -z with up " << checkpoint::text(up)
-                                         << ": expected u = (1, 0, 0), v = (0, 1, 0), actual "
+                                         << ": " EXPECTED "u = (1, 0, 0), v = (0, 1, 0), " ACTUAL
                                          << text(b) << ".\nHint: " << suggestion(b));
         CHECK(b.u == Vec3{1, 0, 0});
         CHECK(b.v == Vec3{0, 1, 0});
@@ -211,7 +211,7 @@ TEST_CASE("02.3 the basis is correct for any view and any up", "[02.3]") {
         const ExactBasis exact = exact_basis(back, up);
         const Basis b = rt::look_at(from, at, up);
         INFO("look_at(" << checkpoint::text(from) << ", " << checkpoint::text(at) << ", "
-                        << checkpoint::text(up) << ") gives " << text(b) << ", expected u = "
+                        << checkpoint::text(up) << ") gives " << text(b) << ", " EXPECTED "u = "
                         << checkpoint::text(exact.u) << ", v = " << checkpoint::text(exact.v)
                         << ", w = " << checkpoint::text(exact.w) << ".\nHint: " << suggestion(b));
         REQUIRE(error_in_ulp_of_1(b.w, exact.w) <= 6);

@@ -114,7 +114,7 @@ void check_any_ray(rt::Rng& rng, Real far, bool plain) {
 
 TEST_CASE("02.4 the ray starts at the eye", "[02.4]") {
     const Ray ray = rt::primary_ray(eastward(), 1, 1, middle);
-    INFO("the ray starts at the eye: expected (7, 8, 9), actual " << text(ray.origin));
+    INFO("the ray starts at the eye: " EXPECTED "(7, 8, 9), " ACTUAL << text(ray.origin));
     CHECK(ray.origin == Vec3{7, 8, 9});
 }
 

@@ -33,7 +33,7 @@ std::vector<Pixel> visited(const Tile& tile, std::size_t most) {
     rt::for_each_pixel(tile, [&](int column, int row) {
         if (pixels.size() == most) {
             const Pixel first = pixels.empty() ? Pixel{column, row} : pixels[0];
-            FAIL("tile: " << text(tile) << "\nexpected " << most
+            FAIL("tile: " << text(tile) << "\n" EXPECTED << most
                           << " calls, actual: more; the next call is for "
                           << text(Pixel{column, row}) << ".\nHint: "
                           << (first.column < tile.left || first.row < tile.top
@@ -61,7 +61,7 @@ void check(const Tile& tile) {
     for (std::size_t i = 0; i < actual.size(); ++i) {
         if (actual[i] == expected[i]) continue;
         const Pixel swapped{actual[i].row, actual[i].column};
-        INFO("call number " << i << ": expected " << text(expected[i]) << ", actual "
+        INFO("call number " << i << ": " EXPECTED << text(expected[i]) << ", " ACTUAL
                             << text(actual[i]) << ".\nHint: "
                             << (swapped == expected[i]
                                     ? "the column comes first: visit(column, row)"

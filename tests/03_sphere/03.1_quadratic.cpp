@@ -24,8 +24,8 @@ std::string equation(Real a, Real b, Real c) {
 void check_exactly(Real a, Real b, Real c, Real low, Real high, const std::string& hint) {
     const auto roots = rt::solve_quadratic(a, b, c);
     const bool is_swapped = roots && low < high && roots->low == high && roots->high == low;
-    INFO("solve_quadratic for " << equation(a, b, c) << ": expected (" << low << ", " << high
-                                << "), actual " << text(roots) << ".\nHint: "
+    INFO("solve_quadratic for " << equation(a, b, c) << ": " EXPECTED "(" << low << ", " << high
+                                << "), " ACTUAL << text(roots) << ".\nHint: "
                                 << (is_swapped ? "low is the smaller solution, whatever the signs"
                                                : hint));
     REQUIRE(text(roots) != "no solution");
@@ -55,9 +55,9 @@ void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j 
     const Real a_i = std::scalbn(a, i), b_j = std::scalbn(b, j), c_k = std::scalbn(c, 2 * j - i);
     const auto expected = [&](const Exact& t) { return std::scalbn(real(t.high), j - i); };
     const auto check = [&](const char* name, const std::optional<Roots>& roots) {
-        INFO(name << " for " << equation(a_i, b_j, c_k) << ": expected "
+        INFO(name << " for " << equation(a_i, b_j, c_k) << ": " EXPECTED
                   << (any ? text(Roots{expected(low), expected(high)}) : "no solution")
-                  << ", actual " << text(roots) << ".\nHint: " << hint);
+                  << ", " ACTUAL << text(roots) << ".\nHint: " << hint);
         const std::string count = roots ? "solutions" : "no solution";
         REQUIRE(count == (any ? "solutions" : "no solution"));
         if (!any) return;
@@ -74,7 +74,7 @@ void check_solutions(Real a, Real b, Real c, const char* hint, int i = 0, int j 
 }
 
 void check_none(const std::optional<Roots>& roots, const char* what) {
-    INFO(what << ", which has no solution: expected no solution, actual " << text(roots)
+    INFO(what << ", which has no solution: " EXPECTED "no solution, " ACTUAL << text(roots)
               << ".\nHint: return {} before you divide anything");
     CHECK(text(roots) == "no solution");
 }
@@ -134,8 +134,8 @@ TEST_CASE("03.1 roots_from_discriminant uses the given discriminant", "[03.1]") 
         const Real c = real((Exact(m) * Exact(m) - Exact(s) * Exact(s)).high);
         const auto roots = rt::roots_from_discriminant(1, -2 * m, c, 4 * s * s);
         INFO("roots_from_discriminant(1, " << text(-2 * m) << ", " << text(c) << ", "
-                                           << text(4 * s * s) << "): expected " << text(m) << " -+ "
-                                           << text(s) << ", actual " << text(roots)
+                                           << text(4 * s * s) << "): " EXPECTED << text(m) << " -+ "
+                                           << text(s) << ", " ACTUAL << text(roots)
                                            << ".\nHint: use the given discriminant; do not compute "
                                               "it again");
         REQUIRE(text(roots) != "no solution");

@@ -105,9 +105,9 @@ void check_within(const Sphere& sphere, const Ray& ray, Interval within) {
     const bool has_any = has_low || has_high;
     const Exact expected = has_low ? exact.low : exact.high;
     INFO(scene(sphere, ray) << ", t from " << checkpoint::text(within.min) << " to "
-                            << checkpoint::text(within.max) << ": expected "
+                            << checkpoint::text(within.max) << ": " EXPECTED
                             << (has_any ? "t = " + checkpoint::text(expected) : "no hit")
-                            << ", actual " << text(t)
+                            << ", " ACTUAL << text(t)
                             << ".\nHint: " << suggestion(exact, within, t));
     const std::string came = t ? "a hit" : "no hit";
     REQUIRE(came == (has_any ? "a hit" : "no hit"));
@@ -121,8 +121,8 @@ void check(const Sphere& sphere, const Ray& ray, Interval within, Hit expected, 
     const Meeting exact{sphere, ray};
     const bool same_kind = t.has_value() == expected.has_value();
     INFO(scene(sphere, ray) << ", t from " << within.min << " to " << within.max);
-    INFO("expected " << text(expected) << ", actual " << text(t)
-                     << ".\nHint: " << (same_kind ? suggestion(exact, within, t) : hint));
+    INFO(EXPECTED << text(expected) << ", " ACTUAL << text(t)
+                  << ".\nHint: " << (same_kind ? suggestion(exact, within, t) : hint));
     const std::string came = t ? "a hit" : "no hit";
     REQUIRE(came == (expected ? "a hit" : "no hit"));
     if (expected) CHECK(times_allowed(*t, Exact(*expected), exact.allowed) <= 1);
@@ -171,14 +171,14 @@ bool check_both(const Sphere& sphere, const Ray& ray, const char* hint) {
     INFO(scene(sphere, ray) << "\nHint: " << hint);
     if (!exact.hits) {
         const Hit t = hit_sphere(sphere, ray, whole_line);
-        INFO("the ray passes by: expected no hit, actual " << text(t));
+        INFO("the ray passes by: " EXPECTED "no hit, " ACTUAL << text(t));
         REQUIRE(text(t) == "no hit");
         return true;
     }
     const auto check_t = [&](const char* which, Interval within, Exact expected) {
         const Hit t = hit_sphere(sphere, ray, within);
-        INFO(which << ": expected t = " << checkpoint::text(expected) << " within " << exact.allowed
-                   << ", actual " << text(t));
+        INFO(which << ": " EXPECTED "t = " << checkpoint::text(expected) << " within "
+                   << exact.allowed << ", " ACTUAL << text(t));
         REQUIRE(text(t) != "no hit");
         REQUIRE(times_allowed(*t, expected, exact.allowed) <= 1);
     };

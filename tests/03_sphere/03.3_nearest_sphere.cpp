@@ -59,8 +59,8 @@ void check(const Spheres& spheres, const Ray& ray, Interval within, const Neares
     INFO("spheres: " << spheres.size() << list << "\nray from " << checkpoint::text(ray.origin)
                      << " along " << checkpoint::text(ray.direction) << ", t from "
                      << checkpoint::text(within.min) << " to " << checkpoint::text(within.max));
-    INFO("expected " << text(expected) << ", actual " << text(computed)
-                     << ".\nHint: " << suggestion(expected, computed, spheres.size()));
+    INFO(EXPECTED << text(expected) << ", " ACTUAL << text(computed)
+                  << ".\nHint: " << suggestion(expected, computed, spheres.size()));
     REQUIRE(text(computed) == text(expected));
     REQUIRE(computed == expected);
 }

@@ -55,8 +55,8 @@ std::string list(const std::vector<int>& bytes) {
 
 void check_bytes(const Image& image, const std::vector<int>& expected, const char* hint) {
     const std::vector<int> bytes = bytes_of(image);
-    INFO("expected the bytes" << list(expected) << ", actual"
-                              << (bytes.empty() ? " none that can be read" : list(bytes))
+    INFO(EXPECTED "the bytes" << list(expected) << ", " ACTUAL
+                              << (bytes.empty() ? "none that can be read" : list(bytes))
                               << ".\nHint: " << hint);
     CHECK(bytes == expected);
 }
@@ -71,7 +71,7 @@ TEST_CASE("03.4 the header contains the format and the size and 255", "[03.4]") 
     std::string format;
     int width = 0, height = 0, full = 0;
     in >> format >> width >> height >> full;
-    INFO("an image 3 wide and 2 high: expected P3, 3, 2 and 255 at the start, actual "
+    INFO("an image 3 wide and 2 high: " EXPECTED "P3, 3, 2 and 255 at the start, " ACTUAL
          << begin_of(text));
     CHECK(format == "P3");
     CHECK(width == 3);
@@ -177,7 +177,7 @@ TEST_CASE("03.4 every byte of any image is written correctly", "[03.4][hard]") {
                            << (i % 3 == 0   ? "red"
                                : i % 3 == 1 ? "green"
                                             : "blue")
-                           << ": expected " << expected[i] << ", actual " << bytes[i]
+                           << ": " EXPECTED << expected[i] << ", " ACTUAL << bytes[i]
                            << ".\nHint: write every pixel in its place, and convert each channel "
                               "with rt::to_byte");
             REQUIRE(bytes[i] == expected[i]);

@@ -129,36 +129,34 @@ TEST_CASE("04.1 a hit from outside has the outward normal and is in front", "[04
         REQUIRE(length_of_normal == "1");
     }
     {
-        INFO("expected the point (1, 2, 5), actual "
+        INFO(EXPECTED "the point (1, 2, 5), " ACTUAL
              << text(hit.point)
              << ".\nHint: the way from the center to the point is (ray.origin - sphere.center) + t "
                 "* ray.direction");
         CHECK(hit.point == Vec3{1, 2, 5});
     }
-    INFO("expected the normal (0, 0, 1), actual "
+    INFO(EXPECTED "the normal (0, 0, 1), " ACTUAL
          << text(hit.normal) << ".\nHint: normalize the vector from the center to the point");
     CHECK(hit.normal == Vec3{0, 0, 1});
-    INFO(
-        "expected front to be true, actual false.\nHint: the ray came from outside if its "
-        "direction "
-        "points against the normal");
+    INFO(EXPECTED
+         "front to be true, " ACTUAL
+         "false.\nHint: the ray came from outside if its direction points against the normal");
     CHECK(hit.front);
 }
 
 TEST_CASE("04.1 a hit from inside has the outward normal and is not in front", "[04.1]") {
     const Sphere sphere{{1, 2, 3}, 2};
     const Hit hit = rt::surface_hit(sphere, {{1, 3, 3}, {0, 2, 0}}, real(0.5));
-    INFO(
-        "a ray that starts in the sphere and leaves it upward: expected the point (1, 4, 3), "
-        "actual "
-        << text(hit.point)
-        << ".\nHint: the point is the center plus the radius times the normal, which points "
-           "outward even if seen from inside");
+    INFO("a ray that starts in the sphere and leaves it upward: " EXPECTED
+         "the point (1, 4, 3), " ACTUAL
+         << text(hit.point)
+         << ".\nHint: the point is the center plus the radius times the normal, which points "
+            "outward even if seen from inside");
     CHECK(hit.point == Vec3{1, 4, 3});
-    INFO("the normal points outward, even if seen from inside: expected (0, 1, 0), actual "
+    INFO("the normal points outward, even if seen from inside: " EXPECTED "(0, 1, 0), " ACTUAL
          << text(hit.normal));
     CHECK(hit.normal == Vec3{0, 1, 0});
-    INFO("expected front to be false, actual true: the ray runs along the normal");
+    INFO(EXPECTED "front to be false, " ACTUAL "true: the ray runs along the normal");
     CHECK_FALSE(hit.front);
 }
 

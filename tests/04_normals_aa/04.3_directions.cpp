@@ -13,8 +13,8 @@ void check_area_ratio(const Direction& direction, const Expected& expected, cons
     if (!(error_over_allowed <= 1))
         UNSCOPED_INFO("a small square of sample points around ("
                       << text(spot.place.x) << ", " << text(spot.place.y)
-                      << ") becomes a patch of the sphere: expected "
-                      << text(static_cast<Real>(expected(spot.place))) << " times as large, actual "
+                      << ") becomes a patch of the sphere: " EXPECTED
+                      << text(static_cast<Real>(expected(spot.place))) << " times as large, " ACTUAL
                       << text(static_cast<Real>(area_ratio(direction, spot.place, spot.reach)))
                       << " times as large.\nHint: " << hint);
     REQUIRE(error_over_allowed <= 1);
@@ -33,7 +33,7 @@ TEST_CASE("04.3 uniform directions cover the sphere evenly", "[04.3]") {
         grid.add(d, [](double cosine) { return (1 - cosine) / 2 * rings; });
     }
     {
-        INFO("lengths differ from 1 by up to " << worst << " epsilon, expected at most 2");
+        INFO("lengths differ from 1 by up to " << worst << " epsilon, " EXPECTED "at most 2");
         CHECK(worst <= 2);
     }
     const double statistic = chi_square(
@@ -72,7 +72,7 @@ TEST_CASE("04.3 bounces follow the cosine distribution around any normal", "[04.
         REQUIRE(below == 0);
     }
     {
-        INFO("lengths differ from 1 by up to " << worst << " epsilon, expected at most 2");
+        INFO("lengths differ from 1 by up to " << worst << " epsilon, " EXPECTED "at most 2");
         CHECK(worst <= 2);
     }
     const double statistic = chi_square(counts, expected_by_cosine());
@@ -94,7 +94,7 @@ TEST_CASE("04.3 bounces follow the cosine distribution around any normal", "[04.
                              "angle goes once around, 2 pi y; the height is sqrt(1 - x)";
     INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
          << statistic << "; within 27 degrees of the normal: actual " << close << " directions of "
-         << samples << ", expected " << expected << ".\nHint: " << hint);
+         << samples << ", " EXPECTED << expected << ".\nHint: " << hint);
     CHECK(statistic < chi_square_limit(turns * rings - 1));
 }
 

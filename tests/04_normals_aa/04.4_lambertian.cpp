@@ -29,15 +29,13 @@ rt::Scatter bounce(const Lambertian& material, Vec3 incoming, const Hit& hit, au
         if (scattered) return *scattered;
     } catch (const std::domain_error&) {
         INFO("normal " << text(hit.normal) << ", hit from " << (hit.front ? "outside" : "inside"));
-        FAIL(
-            "expected a direction, actual: an attempt to normalize the zero vector.\n"
-            "Hint: the sum of the normal and a unit vector may be zero; cosine_direction (04.3) "
-            "never returns zero");
+        FAIL(EXPECTED
+             "a direction, actual: an attempt to normalize the zero vector.\nHint: the sum of the "
+             "normal and a unit vector may be zero; cosine_direction (04.3) never returns zero");
     }
-    FAIL(
-        "expected a Scatter, actual: none.\n"
-        "Hint: a matte surface does not absorb whole paths at random: the attenuation already "
-        "accounts for what it absorbs");
+    FAIL(EXPECTED
+         "a Scatter, actual: none.\nHint: a matte surface does not absorb whole paths at random: "
+         "the attenuation already accounts for what it absorbs");
     return {};
 }
 
@@ -60,7 +58,7 @@ double check_direction(const Hit& hit, Vec3 d) {
     const double off = length_error(d) / static_cast<double>(rt::epsilon);
     if (rt::is_finite(d) && off <= 2 && cosine > 0) return cosine;
     INFO("normal " << text(hit.normal) << ", hit from " << (hit.front ? "outside" : "inside")
-                   << ": expected a direction of length 1 on that side, actual " << text(d)
+                   << ": " EXPECTED "a direction of length 1 on that side, " ACTUAL << text(d)
                    << ", whose cosine with the normal there is " << cosine);
     {
         INFO("Hint: NaN comes from normalizing the zero vector by hand");
@@ -93,7 +91,7 @@ void check_distribution(bool front, std::uint64_t stream) {
         for (std::size_t i = 0; i < counts.size(); ++i) counts[i] += grid.counts[i];
     const double statistic = chi_square(counts, expected_by_cosine());
     INFO("chi-square of a 20 x 10 grid of the hemisphere against cos / pi: "
-         << statistic << ", expected less than " << chi_square_limit(turns * rings - 1)
+         << statistic << ", " EXPECTED "less than " << chi_square_limit(turns * rings - 1)
          << ".\nHint: cosine_direction (04.3) turns random places in the unit square into "
             "directions distributed by their cosine: pass it random_place(random)");
     CHECK(statistic < chi_square_limit(turns * rings - 1));
@@ -177,8 +175,9 @@ TEST_CASE("04.4 each bounce draws new random numbers", "[04.4]") {
         heights.add(low, high);
     }
     INFO("chi-square of one bounce against the next, around the normal: "
-         << pairs.chi_square() << ", along it: " << heights.chi_square() << "; expected less than "
-         << PairCounts::limit() << ".\nHint: draw a new place in every call: random_place(random)");
+         << pairs.chi_square() << ", along it: " << heights.chi_square()
+         << "; " EXPECTED "less than " << PairCounts::limit()
+         << ".\nHint: draw a new place in every call: random_place(random)");
     CHECK(pairs.chi_square() < PairCounts::limit());
     CHECK(heights.chi_square() < PairCounts::limit());
 }
@@ -215,8 +214,8 @@ TEST_CASE("04.4 equal parts of the square become directions with the density cos
             UNSCOPED_INFO("normal "
                           << text(pole) << ": a small square of sample points around ("
                           << text(place.x) << ", " << text(place.y)
-                          << ") becomes a patch of the sphere: expected " << expected
-                          << " times as large, actual " << computed
+                          << ") becomes a patch of the sphere: " EXPECTED << expected
+                          << " times as large, " ACTUAL << computed
                           << " times as large.\nHint: the density is cos / pi, like that of "
                              "cosine_direction (04.3)");
         REQUIRE(error <= spot.allowed);

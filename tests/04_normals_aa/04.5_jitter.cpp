@@ -53,7 +53,7 @@ void check_offset(int cell, int n, Vec2 place) {
                      << all(offset));
         if (!near_x || !near_y) {
             INFO(
-                "expected the offset ((column + x) / n, (row + y) / n), where (x, y) is the place: "
+                EXPECTED "the offset ((column + x) / n, (row + y) / n), where (x, y) is the place: "
                 << all(sum)
                 << ".\nHint: the column of a cell is cell % n, and its row is cell / n in whole "
                    "numbers. "
@@ -211,7 +211,7 @@ TEST_CASE("04.5 a pixel at an edge is as bright as its covered fraction", "[04.5
             });
             jittered.add(static_cast<double>(average.g));
         }
-        INFO(samples << " samples, 400 seeds: actual mean " << jittered.mean() << ", expected "
+        INFO(samples << " samples, 400 seeds: actual mean " << jittered.mean() << ", " EXPECTED
                      << covered << ", standard error " << jittered.standard_error());
         // Correct code stays within 6 standard errors in all but one of 500 million runs.
         CHECK(std::abs(jittered.mean() - covered) <= 6 * jittered.standard_error());
@@ -251,7 +251,7 @@ TEST_CASE("04.5 the average of a million samples is accurate even in float", "[0
                         "Add up with a ColorSum, or add up each row of cells separately");
         const auto check = [&](Real actual, double sum) {
             const double expected = sum / samples;
-            INFO("expected " << expected << ", actual " << actual);
+            INFO(EXPECTED << expected << ", " ACTUAL << actual);
             const auto float_epsilon = static_cast<double>(std::numeric_limits<float>::epsilon());
             REQUIRE(std::abs(static_cast<double>(actual) - expected) <=
                     100 * float_epsilon * expected);

@@ -226,7 +226,7 @@ TEST_CASE("04.7 a path that hits nothing returns the sky in its direction", "[04
     const Ray ray{{0, 5, 0}, {real(0.6), real(0.8), 0}};
     const Color light = rt::path_radiance(ray, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
     if (!is_near(light, sky(ray.direction))) {
-        INFO("expected the sky 0.9 in every channel, actual " << text(light));
+        INFO(EXPECTED "the sky 0.9 in every channel, " ACTUAL << text(light));
         CHECK(text(light) == text(sky(ray.direction)));
     }
     CHECK(world.rays == 1);
@@ -237,8 +237,8 @@ TEST_CASE("04.7 a path that hits nothing returns the sky in its direction", "[04
     }
     const Color bounced =
         rt::path_radiance(downward, world, UpAfter{1}, sky, rt::SkyEnding{}, 8, rng);
-    INFO("the path goes straight down and up again: expected "
-         << text(tint) << ", actual " << text(bounced)
+    INFO("the path goes straight down and up again: " EXPECTED
+         << text(tint) << ", " ACTUAL << text(bounced)
          << ".\nHint: the light comes from the direction in which the path finally leaves");
     if (!is_near(bounced, tint)) CHECK(text(bounced) == text(tint));
 }
@@ -250,7 +250,7 @@ TEST_CASE("04.7 every bounce multiplies the light by its attenuation", "[04.7]")
         const Color light = rt::path_radiance(downward, world, UpAfter{bounces},
                                               rt::UniformSky{sky_color}, rt::BlackEnding{}, 8, rng);
         const Color expected = power(tint, bounces) * sky_color;
-        INFO(bounces << " bounces: expected " << text(expected) << ", actual " << text(light));
+        INFO(bounces << " bounces: " EXPECTED << text(expected) << ", " ACTUAL << text(light));
         INFO("Hint: start with (1, 1, 1) and multiply channel by channel");
         if (!is_near(light, expected)) REQUIRE(text(light) == text(expected));
         REQUIRE(world.rays == bounces + 1);
@@ -261,7 +261,7 @@ TEST_CASE("04.7 an absorbed path is black", "[04.7]") {
     rt::Rng rng{45, 3};
     const Color light = rt::path_radiance(downward, Ground{}, Absorber{}, rt::UniformSky{},
                                           rt::SkyEnding{}, 8, rng);
-    INFO("if the material gives no Scatter, the light is absorbed: expected (0, 0, 0), actual "
+    INFO("if the material gives no Scatter, the light is absorbed: " EXPECTED "(0, 0, 0), " ACTUAL
          << text(light));
     CHECK(light == Color{});
 }
@@ -277,8 +277,8 @@ TEST_CASE("04.7 the material gets the incoming direction and the hit", "[04.7]")
             INFO("bounce number " << k + 1);
             if (error_in_ulp(story.incoming[k], ExactVec3{expected.x, expected.y, expected.z}) >
                 8) {
-                INFO("expected the incoming direction "
-                     << text(expected) << ", actual " << text(story.incoming[k])
+                INFO(EXPECTED "the incoming direction "
+                     << text(expected) << ", " ACTUAL << text(story.incoming[k])
                      << ".\nHint: pass on the direction in which the ray arrived, not the "
                         "direction of the camera's ray");
                 REQUIRE(text(story.incoming[k]) == text(expected));
@@ -366,10 +366,9 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
             }
         }
         {
-            INFO(
-                "the number of rays that were followed: expected one more than the number of "
-                "bounces, unless the path ends earlier. Call the ending after bounce number "
-                "`depth` and after every later bounce");
+            INFO("the number of rays that were followed: " EXPECTED
+                 "one more than the number of bounces, unless the path ends earlier. Call the "
+                 "ending after bounce number `depth` and after every later bounce");
             REQUIRE(story.rays.size() == count + !has_ended);
         }
         {
@@ -386,8 +385,8 @@ TEST_CASE("04.7 any path returns the light that its bounces determine", "[04.7]"
                 REQUIRE(text(story.throughputs[k]) == text(throughputs[k]));
             }
         if (!is_near(light, expected)) {
-            INFO("expected the light "
-                 << text(expected) << ", actual " << text(light)
+            INFO(EXPECTED "the light "
+                 << text(expected) << ", " ACTUAL << text(light)
                  << ".\nHint: the light is the throughput times the sky in the direction in which "
                     "the ray goes on, or black if the path is absorbed or ends in black. Even the "
                     "dimmest light counts");
@@ -416,7 +415,7 @@ TEST_CASE("04.7 the depth limit ends a path in the sky or in black", "[04.7]") {
                                                  rt::BlackEnding{}, depth, rng);
         INFO("depth " << depth << ": a path that would bounce forever");
         {
-            INFO("SkyEnding: expected " << text(power(half, depth)) << ", actual " << text(in_sky)
+            INFO("SkyEnding: " EXPECTED << text(power(half, depth)) << ", " ACTUAL << text(in_sky)
                                         << ".\nHint: after `depth` bounces, return the sky in the "
                                            "last direction times the attenuations of all bounces");
             if (!is_near(in_sky, power(half, depth)))
@@ -448,12 +447,12 @@ TEST_CASE("04.7 BlackEnding and SkyEnding give the light that the series predict
         const double sky = black + std::pow(albedo, depth) * std::pow(1 - up, depth - 1);
         const Mean in_black = mean_light(real(albedo), depth, rt::BlackEnding{}, 7);
         const Mean in_sky = mean_light(real(albedo), depth, rt::SkyEnding{}, 8);
-        INFO("depth " << depth << ", BlackEnding: expected " << black << ", actual "
+        INFO("depth " << depth << ", BlackEnding: " EXPECTED << black << ", " ACTUAL
                       << in_black.mean() << " +- " << in_black.standard_error());
         // Where all paths give the same, only the rounding of the products is left.
         const double rounding = depth * static_cast<double>(rt::epsilon);
         CHECK(std::abs(in_black.mean() - black) <= 4 * in_black.standard_error() + rounding);
-        INFO("depth " << depth << ", SkyEnding: expected " << sky << ", actual " << in_sky.mean()
+        INFO("depth " << depth << ", SkyEnding: " EXPECTED << sky << ", " ACTUAL << in_sky.mean()
                       << " +- " << in_sky.standard_error());
         CHECK(std::abs(in_sky.mean() - sky) <= 4 * in_sky.standard_error() + rounding);
     }
@@ -463,7 +462,7 @@ TEST_CASE("04.7 Russian roulette is correct on average", "[04.7]") {
     const double albedo = 0.8, up = 0.25, exact = albedo * up / (1 - albedo * (1 - up));
     for (const int depth : {1, 3}) {
         const Mean light = mean_light(real(albedo), depth, rt::RouletteEnding{}, 9);
-        INFO("depth " << depth << ": expected " << exact << ", actual " << light.mean() << " +- "
+        INFO("depth " << depth << ": " EXPECTED << exact << ", " ACTUAL << light.mean() << " +- "
                       << light.standard_error()
                       << ".\nHint: a path that goes on with probability p is divided by p");
         CHECK(std::abs(light.mean() - exact) <= 4 * light.standard_error());
@@ -482,14 +481,14 @@ TEST_CASE("04.7 the throughput's largest channel decides how likely a path is to
             if (rt::play_roulette(c, real(0.95), rng) != rt::PathEnd::none) continue;
             ++going;
             INFO("a path with the throughput "
-                 << text(before) << " goes on: expected the throughput " << text(before / bright)
-                 << ", actual " << text(c)
+                 << text(before) << " goes on: " EXPECTED "the throughput " << text(before / bright)
+                 << ", " ACTUAL << text(c)
                  << ".\nHint: divide by the probability: the largest of red, green and blue, but "
                     "at most most_likely");
             REQUIRE(is_near(c, before / bright));
         }
         INFO("paths with the throughput "
-             << text(before) << ": expected that about 5000 of 10000 go on, actual " << going
+             << text(before) << ": " EXPECTED "that about 5000 of 10000 go on, " ACTUAL << going
              << ".\nHint: the probability is the largest of all three channels");
         CHECK(std::abs(going - count / 2) <= 300);  // 6 standard errors
     }
@@ -511,7 +510,7 @@ TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
                                                   rt::UniformSky{}, rt::BlackEnding{}, 16, rng);
             const bool is_near = std::abs(light.r - albedo) <= rt::epsilon;
             if (!is_near) {
-                INFO("radius " << text(radius) << ": expected " << text(albedo) << ", actual "
+                INFO("radius " << text(radius) << ": " EXPECTED << text(albedo) << ", " ACTUAL
                                << text(light.r)
                                << ".\nHint: the path met the sphere again that it had just left, "
                                   "and was dimmed twice. In leave_surface, move by the error of "
@@ -539,7 +538,7 @@ TEST_CASE("04.7 between two facing spheres the light of all bounces adds up", "[
         return light;
     };
     const auto check = [](const char* what, const Mean& light, double expected) {
-        INFO(what << ": expected " << expected << ", actual " << light.mean() << " +- "
+        INFO(what << ": " EXPECTED << expected << ", " ACTUAL << light.mean() << " +- "
                   << light.standard_error());
         // Correct code stays within 3 standard errors in all but one of 370 runs, and
         // the seed is fixed.
@@ -594,7 +593,7 @@ TEST_CASE("04.7 roulette ends dark paths more often than bright ones", "[04.7][h
         const Real p = std::min(most_likely, std::max({before.r, before.g, before.b}));
         const auto describe = [&] {
             return "throughput " + text(before) + ", most_likely " + text(most_likely) +
-                   ": expected the probability " + text(p);
+                   ": " EXPECTED "the probability " + text(p);
         };
         int draws = 0;
         std::optional<Color> wrongly_divided;
@@ -619,7 +618,7 @@ TEST_CASE("04.7 roulette ends dark paths more often than bright ones", "[04.7][h
             share = small_ones_go_on ? high : 1 - high;
         }
         if (!(std::abs(share - p) <= 2 * rt::epsilon)) {
-            INFO(describe() << ", actual " << text(share));
+            INFO(describe() << ", " ACTUAL << text(share));
             INFO("Hint: the probability is the largest channel, but at most most_likely");
             REQUIRE(text(share) == text(p));
         }

@@ -225,7 +225,7 @@ TEST_CASE("05.2 fuzz spreads the light by the right amount", "[05.2]") {
             z.add(static_cast<double>(d.z));
         }
         INFO("fuzz " << fuzz << ", light from straight above: the average direction is ("
-                     << x.mean() << ", " << y.mean() << ", " << z.mean() << "), expected (0, "
+                     << x.mean() << ", " << y.mean() << ", " << z.mean() << "), " EXPECTED "(0, "
                      << 1 - fuzz * fuzz / 3
                      << ", 0)\nHint: above_horizon(mirror + fuzz * s, normal), s from "
                      << "uniform_direction(place): the sum is folded, not s alone");
@@ -250,7 +250,7 @@ TEST_CASE("05.2 folding leaves the part along the surface unchanged", "[05.2]") 
             const double expected = static_cast<double>(incoming.x) * (1 - fuzz * fuzz / 3);
             INFO("fuzz "
                  << fuzz << " at " << angle << " degrees: the average part along the surface "
-                 << "is " << x.mean() << ", expected " << expected
+                 << "is " << x.mean() << ", " EXPECTED << expected
                  << "\nHint: mirror a direction that points below at the surface; do not drop it, "
                     "flatten it or draw it again");
             CHECK(std::abs(x.mean() - expected) <= 4 * x.standard_error() + rounding);
@@ -270,7 +270,7 @@ TEST_CASE("05.2 white metal in a white furnace stays white", "[05.2]") {
             }
             INFO("fuzz "
                  << fuzz << " at " << angle
-                 << " degrees: expected 1, because all light comes back, actual " << light.mean()
+                 << " degrees: " EXPECTED "1, because all light comes back, " ACTUAL << light.mean()
                  << ", with a standard error of " << light.standard_error()
                  << "\nHint: light whose direction points below the surface must not be lost");
             CHECK(std::abs(light.mean() - 1) <= 3 * light.standard_error() + rounding);
@@ -411,10 +411,9 @@ TEST_CASE("05.2 the normal is returned where fuzz cancels the mirror direction",
     // In the reference, the place (0, 0) becomes the uniform direction +z; in other code another
     // place may. A zero vector must not reach normalize, and tiny ones must keep length 1.
     {
-        INFO(
-            "above_horizon((0, 0, 0), (0, 1, 0)): expected the normal\nHint: the zero vector has "
-            "no direction that normalize could keep; check v == Vec3{} first, and return the "
-            "normal");
+        INFO("above_horizon((0, 0, 0), (0, 1, 0)): " EXPECTED
+             "the normal\nHint: the zero vector has no direction that normalize could keep; check "
+             "v == Vec3{} first, and return the normal");
         for (const Real zero : {Real(0), -Real(0)}) {
             const Vec3 computed = rt::above_horizon({zero, 0, zero}, floor_normal);
             if (!(computed == floor_normal)) CHECK(text(computed) == "(0, 1, 0)");

@@ -51,7 +51,7 @@ void check_law(int directions, Off off_over_allowed, const char* hint) {
         worst = std::max(worst, off);
         if (off <= 1) continue;
         INFO("incoming " << text(incoming) << ", normal " << text(normal) << ", eta " << text(eta));
-        INFO("the sine of the refraction angle: expected " << text(expected) << ", actual "
+        INFO("the sine of the refraction angle: " EXPECTED << text(expected) << ", " ACTUAL
                                                            << text(computed));
         INFO("Hint: " << hint << ". The value is the error, divided by the allowed error");
         REQUIRE(off <= 1);
@@ -62,7 +62,8 @@ void check_law(int directions, Off off_over_allowed, const char* hint) {
 Vec3 refract_or_fail(Vec3 incoming, Vec3 normal, Real eta) {
     const auto refracted = rt::refract(incoming, normal, eta);
     INFO("refract(" << text(incoming) << ", " << text(normal) << ", " << text(eta)
-                    << "): eta times the sine is less than 1: expected a direction, actual: none");
+                    << "): eta times the sine is less than 1: " EXPECTED
+                       "a direction, actual: none");
     REQUIRE(refracted.has_value());
     return *refracted;
 }
@@ -319,8 +320,8 @@ TEST_CASE("05.3 a large ratio of indices does not blur the critical angle", "[05
             const Exact cosine = -dot(exact(*refracted), exact(normal));
             const Exact expected = -as_stored * (Exact(2) + as_stored);
             INFO("Hint: with e = eta * sine - 1, the square of the cosine is -e (1 + eta * sine)");
-            INFO("the square of the refraction angle's cosine: expected "
-                 << expected.high << ", actual " << (cosine * cosine).high);
+            INFO("the square of the refraction angle's cosine: " EXPECTED
+                 << expected.high << ", " ACTUAL << (cosine * cosine).high);
             // 4 of 16 epsilon
             const double off_in_sixteenths =
                 std::abs((cosine * cosine - expected).high) * 16 / expected.high;

@@ -109,7 +109,7 @@ TEST_CASE("05.4 the cosine of the refraction angle follows from the law of refra
     });
     const auto beyond = rt::refracted_cosine(real(0.5), real(1.5));
     INFO(
-        "refracted_cosine(0.5, 1.5): expected none, actual "
+        "refracted_cosine(0.5, 1.5): " EXPECTED "none, " ACTUAL
         << (beyond ? text(*beyond) : "none")
         << "\nHint: below the root is 1 - 2.25 * 0.75, which is below 0: return {} before you take "
            "the root");
@@ -126,9 +126,9 @@ TEST_CASE("05.4 for head-on light both formulas give ((1 - eta) / (1 + eta))^2",
             };
             const Real fresnel = rt::fresnel_reflectance(1, real(ratio));
             const Real schlick = rt::schlick_reflectance(1, real(ratio));
-            INFO("eta = " << ratio << ": expected ((1 - eta) / (1 + eta))^2 = " << text(real(r * r))
-                          << ", actual " << text(fresnel) << " (exact), " << text(schlick)
-                          << " (Schlick)");
+            INFO("eta = " << ratio << ": " EXPECTED "((1 - eta) / (1 + eta))^2 = "
+                          << text(real(r * r)) << ", " ACTUAL << text(fresnel) << " (exact), "
+                          << text(schlick) << " (Schlick)");
             {
                 INFO("Hint: here r_s and r_p have equal squares; the exact value is their mean");
                 CHECK(is_near(fresnel));
@@ -210,7 +210,7 @@ TEST_CASE("05.4 beyond the critical angle both formulas give 1", "[05.4]") {
         INFO("eta = " << text(eta) << ", cosine " << text(cosine)
                       << ": beyond the critical angle, all light is reflected");
         CHECK_FALSE(beyond.has_value());
-        INFO("expected 1, actual " << text(fresnel) << " (exact), " << text(schlick)
+        INFO(EXPECTED "1, " ACTUAL << text(fresnel) << " (exact), " << text(schlick)
                                    << " (Schlick)");
         REQUIRE(text(fresnel) == "1");
         REQUIRE(text(schlick) == "1");
@@ -263,7 +263,7 @@ TEST_CASE("05.4 cosine and reflectance are accurate at any ratio and angle", "[0
         if (!beyond) continue;
         INFO("cosine " << text(cosine) << ", eta " << text(eta)
                        << ": the square of the refraction angle's cosine would be "
-                       << surface.squared_beyond().high << ": expected none, actual "
+                       << surface.squared_beyond().high << ": " EXPECTED "none, " ACTUAL
                        << text(*beyond) << ".\nHint: return {} if it is below 0, however slightly");
         REQUIRE_FALSE(beyond.has_value());
     }
@@ -340,8 +340,9 @@ TEST_CASE("05.4 grazing light is reflected completely", "[05.4][hard]") {
         for (const Real cosine : {Real(0), std::numeric_limits<Real>::denorm_min(),
                                   rt::epsilon / 1024, rt::epsilon / 64}) {
             INFO("eta " << ratio << ", cosine " << text(cosine)
-                        << ": expected 1 within rounding, and never more than 1.\nHint: "
-                           "std::min(..., Real(1)) limits a result that rounding put above 1");
+                        << ": " EXPECTED
+                           "1 within rounding, and never more than 1.\nHint: std::min(..., "
+                           "Real(1)) limits a result that rounding put above 1");
             const Real fresnel = rt::fresnel_reflectance(cosine, real(ratio));
             const Real schlick = rt::schlick_reflectance(cosine, real(ratio));
             // At a small cosine it is 1 - 2 c (eta + 1 / eta) / sqrt(1 - eta^2), or 1 - 5 c.

@@ -173,9 +173,9 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                                  (1 + 1 / std::max(1e-9, behind));
             if (through && distance(bounce.direction, *through) <= loose) return false;
             INFO(describe() << ", drawn " << text(drawn));
-            INFO("expected either the mirror direction "
+            INFO(EXPECTED "either the mirror direction "
                  << text(mirror) << " or the refracted direction "
-                 << (through ? text(*through) : "(none)") << ", actual " << text(bounce.direction));
+                 << (through ? text(*through) : "(none)") << ", " ACTUAL << text(bounce.direction));
             INFO(
                 "Hint: eta is 1 / index if hit.front, else index; the normal is "
                 "facing_normal(hit), for above_horizon, too");
@@ -210,9 +210,9 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
                                 std::abs(eta - eta_expected) <= 4 * rt::epsilon * eta_expected;
         if ((through || cosine != -1) && !asks_right) {
             INFO(describe());
-            INFO("expected reflectance("
-                 << text(cosine_expected) << ", " << text(eta_expected) << "), actual reflectance("
-                 << text(cosine) << ", " << text(eta)
+            INFO(EXPECTED "reflectance("
+                 << text(cosine_expected) << ", " << text(eta_expected)
+                 << "), " ACTUAL "reflectance(" << text(cosine) << ", " << text(eta)
                  << ")\nHint: cosine = -dot(incoming, normal) with the facing normal, and eta is "
                     "the index on this side divided by the index on the other");
             REQUIRE(text(eta) == text(eta_expected));
@@ -285,7 +285,7 @@ TEST_CASE("05.5 a ball of index 1 is invisible", "[05.5][hard]") {
             const bool is_near =
                 std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)}) <= 64 * rt::epsilon;
             if (!is_near) {
-                INFO("pixel (" << x << ", " << y << "): expected " << expected << ", actual "
+                INFO("pixel (" << x << ", " << y << "): " EXPECTED << expected << ", " ACTUAL
                                << computed
                                << "\nHint: where the reflectance is 0, refract, and draw no random "
                                   "number: the next sample of the pixel needs it. Schlick's "
@@ -335,7 +335,7 @@ TEST_CASE("05.5 glass in a white furnace stays white", "[05.5][hard]") {
             const rt::Color light =
                 rt::path_radiance(ray, nested, glass, rt::UniformSky{}, rt::SkyEnding{}, 100, rng);
             if (!(light == rt::Color{1, 1, 1})) {
-                INFO("scale " << scale << ": expected white, actual " << light);
+                INFO("scale " << scale << ": " EXPECTED "white, " ACTUAL << light);
                 REQUIRE(text(light.g) == "1");
             }
             REQUIRE(light == rt::Color{1, 1, 1});

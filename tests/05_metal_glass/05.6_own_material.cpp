@@ -95,19 +95,16 @@ void check_direction(const Sample& sample, const Bounce& bounce) {
     if (!is_right) {
         INFO(text_of(sample) << ": " << text_of(*bounce));
         {
-            INFO(
-                "expected a direction of length 1; the values are the error of its length, in "
-                "epsilon\n"
-                "Hint: pass a sum of vectors through normalize, or through above_horizon, which "
-                "also accepts the zero vector");
+            INFO(EXPECTED
+                 "a direction of length 1; the values are the error of its length, in "
+                 "epsilon\nHint: pass a sum of vectors through normalize, or through "
+                 "above_horizon, which also accepts the zero vector");
             REQUIRE(off <= 64);
         }
-        INFO(
-            "the dot product of the direction and the normal: expected any number but 0, "
-            "actual: 0\n"
-            "Hint: light must not run along the surface: for light that is reflected, return "
-            "above_horizon(direction, facing_normal(hit)), which lifts it if it has the star of "
-            "05.2");
+        INFO("the dot product of the direction and the normal: " EXPECTED
+             "any number but 0, actual: 0\nHint: light must not run along the surface: for light "
+             "that is reflected, return above_horizon(direction, facing_normal(hit)), which lifts "
+             "it if it has the star of 05.2");
         REQUIRE(cosine != 0);
     }
     REQUIRE(is_right);
@@ -117,12 +114,11 @@ void check_attenuation(const Sample& sample, const Bounce& bounce) {
     const bool is_right = !bounce || is_share(bounce->attenuation);
     if (!is_right) {
         INFO(text_of(sample) << ": " << text_of(*bounce));
-        INFO(
-            "expected each channel of the attenuation in [0, 1]: no more light leaves than "
-            "arrives\nHint: if the path takes one of several ways at random, the probabilities are "
-            "already the weights: do not add up the ways, and do not divide by the probability. "
-            "The cosine is "
-            "-dot(incoming, facing_normal(hit))");
+        INFO(EXPECTED
+             "each channel of the attenuation in [0, 1]: no more light leaves than arrives\nHint: "
+             "if the path takes one of several ways at random, the probabilities are already the "
+             "weights: do not add up the ways, and do not divide by the probability. The cosine is "
+             "-dot(incoming, facing_normal(hit))");
         REQUIRE(text_of(bounce->attenuation) == "within [0, 1]");
     }
     REQUIRE(is_right);
@@ -226,10 +222,10 @@ TEST_CASE("05.6 the same random numbers give the same result", "[05.6]") {
                 INFO(text_of(sample));
                 INFO("the same random numbers, "
                      << when
-                     << ": expected the same result\n"
-                        "Hint: draw all random numbers from `random`, not from a generator of your "
-                        "own, and keep nothing from one call to the next: use no static or global "
-                        "variables. Give every variable a value");
+                     << ": " EXPECTED
+                        "the same result\nHint: draw all random numbers from `random`, not from a "
+                        "generator of your own, and keep nothing from one call to the next: use no "
+                        "static or global variables. Give every variable a value");
                 REQUIRE("expected " + text_of(first[i]) == "actual " + text_of(again));
             }
             REQUIRE(same);
@@ -287,7 +283,7 @@ TEST_CASE("05.6 each channel of the color counts", "[05.6]") {
                                  : channel == &Color::g ? "green"
                                                         : "blue";
         INFO("color." << name[0]
-                      << " is 0.2 in one run and 0.9 in another: expected different samples, "
+                      << " is 0.2 in one run and 0.9 in another: " EXPECTED "different samples, "
                       << "actual: all 1000 samples are the same\nHint: use material.color, all "
                       << "three channels of it");
         CHECK((differs ? "" : std::string{name} + " changes nothing") == "");
@@ -321,7 +317,7 @@ TEST_CASE("05.6 the material differs from all given materials", "[05.6]") {
                 for (int k = 0; k < in_vain; ++k) random.uniform();
                 differs = !is_close(sample(), other.scatter(sample, random));
             }
-            INFO("expected a material of its own, actual: in all 1000 samples it does what "
+            INFO(EXPECTED "a material of its own, actual: in all 1000 samples it does what "
                  << other.name << " does"
                  << (in_vain ? ", and draws random numbers without using them" : "")
                  << "\nHint: make the result depend on the angle, on a random choice, on the "

@@ -43,7 +43,7 @@ TEST_CASE("06.3 the tiles are numbered row by row", "[06.3]") {
                              {0, 20, 20, 30}, {20, 20, 40, 30}, {40, 20, 50, 30}};
     for (int i = 0; i < 6; ++i) {
         const Tile tile = tile_at(grid, i);
-        INFO("50x30 pixels in tiles of 20: tile " << i << " is expected at " << text(expected[i])
+        INFO("50x30 pixels in tiles of 20: tile " << i << " is " EXPECTED "at " << text(expected[i])
                                                   << ", but yours gives " << text(tile));
         CHECK(tile == expected[i]);
     }
@@ -201,7 +201,8 @@ TEST_CASE("06.3 take_tile reads the counter and adds 1 in one step", "[06.3]") {
             if (const auto tile = take_tile(next, count)) {
                 taken.insert(*tile);
             } else {
-                INFO("take_tile returned no tile: expected that the counter is past the last tile");
+                INFO("take_tile returned no tile: " EXPECTED
+                     "that the counter is past the last tile");
                 REQUIRE(next.now() >= count);
             }
         }
@@ -256,7 +257,7 @@ TEST_CASE("06.3 tiles may have the largest size that fits into an int", "[06.3][
         }
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             const Tile tile = tile_at(grid, static_cast<int>(i));
-            INFO("tile " << i << " is expected at " << text(tiles[i]) << ", but yours gives "
+            INFO("tile " << i << " is " EXPECTED "at " << text(tiles[i]) << ", but yours gives "
                          << text(tile) << "\nHint: left + tile_size may not fit into an int");
             CHECK(tile == tiles[i]);
         }

@@ -131,8 +131,9 @@ void check_unrelated(const Key& step, const char* what) {
     const auto [fewest, most] = std::minmax_element(std::begin(distances), std::end(distances));
     INFO(
         "how many of the 32 bits differ on average, if all fourth draws of one are rotated by the "
-        "same number of bits; expected 16.\nHint: two generators with the same state and different "
-        "streams are related: give each sample a state of its own");
+        "same number of bits; " EXPECTED
+        "16.\nHint: two generators with the same state and different streams are related: give "
+        "each sample a state of its own");
     CHECK(*fewest / 2048 > 15.5);
     CHECK(*most / 2048 < 16.5);
 }

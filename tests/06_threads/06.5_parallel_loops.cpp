@@ -136,7 +136,8 @@ TEST_CASE("06.5 the standard algorithm runs the jobs whose numbers are in its li
                 return '{' + all + (numbers.size() > 6 ? ", ... }" : "}");
             };
             INFO(jobs.size() << " jobs " << text({jobs.begin(), jobs.end()})
-                             << ": expected one call for each, actual: calls for " << text(called)
+                             << ": " EXPECTED "one call for each, actual: calls for "
+                             << text(called)
                              << ".\nHint: call work with the numbers in `jobs`, not with their "
                                 "indices 0, 1, 2 ...");
             REQUIRE(text(actual) == text(expected));

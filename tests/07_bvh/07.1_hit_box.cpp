@@ -33,9 +33,9 @@ void check(const Box& box, Vec3 origin, Vec3 direction, Interval within, bool ex
                                << checkpoint::text(within.min) << " to "
                                << checkpoint::text(within.max) << ", margin "
                                << checkpoint::text(margin));
-    INFO("expected " << (expected ? "a hit" : "no hit") << ", but yours gives the part from "
-                     << checkpoint::text(part.min) << " to " << checkpoint::text(part.max)
-                     << ", which is " << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
+    INFO(EXPECTED << (expected ? "a hit" : "no hit") << ", but yours gives the part from "
+                  << checkpoint::text(part.min) << " to " << checkpoint::text(part.max)
+                  << ", which is " << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
     CHECK(met == expected);
 }
 

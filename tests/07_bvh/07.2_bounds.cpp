@@ -60,7 +60,7 @@ TEST_CASE("07.2 the margin is as wide as the proof requires", "[07.2]") {
                               << checkpoint::text(box));
             INFO("along "
                  << "xyz"[axis] << ", " << side << " the sphere your box has a margin of " << added
-                 << "; expected " << margin
+                 << "; " EXPECTED << margin
                  << ".\nHint: hit_margin * (max_component(center) + radius), the same on "
                     "all six sides");
             REQUIRE(std::abs(added - margin) <= rounding);

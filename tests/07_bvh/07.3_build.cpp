@@ -47,16 +47,16 @@ std::vector<Box> boxes_at(const std::vector<Vec3>& middles) {
 
 // What a learner sees if the program crashes in one of these two.
 int split_in_half(std::span<int> order, const std::vector<Box>& boxes) {
-    INFO(
-        "Hint, if this crashes: a and b of the lambda are already numbers of spheres, so write "
-        "boxes[a] and not boxes[order[a]]; and compare with <, never with <= or a difference");
+    INFO(IF_IT_CRASHES
+         "a and b of the lambda are already numbers of spheres, so write boxes[a] and not "
+         "boxes[order[a]]; and compare with <, never with <= or a difference");
     return rt::split_in_half(order, boxes);
 }
 
 std::unique_ptr<rt::TreeNode> tree_of(std::vector<int>& order, const std::vector<Box>& boxes) {
-    INFO(
-        "Hint, if this crashes: does split_in_half pass? If so: pass on all of boxes, but only a "
-        "part of the order; and a leaf has no children to build");
+    INFO(IF_IT_CRASHES
+         "does split_in_half pass? If so: pass on all of boxes, but only a part of the order; and "
+         "a leaf has no children to build");
     return rt::build_node(std::span{order}, 0, std::span{boxes}, rt::split_in_half);
 }
 
@@ -302,8 +302,8 @@ TEST_CASE("07.3 the box of a node encloses only its own spheres", "[07.3]") {
     const auto root =
         rt::build_node(std::span{order}.subspan(5), 5, std::span{boxes}, rt::split_in_half);
     const Box expected{{29, 4, 4}, {81, 6, 6}};
-    INFO("the numbers 8, 7, 5, 3: expected a " << checkpoint::text(expected) << ", but yours is a "
-                                               << checkpoint::text(root->box));
+    INFO("the numbers 8, 7, 5, 3: " EXPECTED "a "
+         << checkpoint::text(expected) << ", but yours is a " << checkpoint::text(root->box));
     INFO("Hint: for (int number : order) join boxes[number] to the node's box, which starts empty");
     CHECK(checkpoint::text(root->box) == checkpoint::text(expected));
 }
@@ -352,7 +352,7 @@ TEST_CASE("07.3 the tree follows the results of any split", "[07.3][hard]") {
             const auto split = [&](std::span<int> part, std::span<const Box> all) {
                 ++asked;
                 if (all.data() != boxes.data() || all.size() != boxes.size())
-                    FAIL("split got " << all.size() << " boxes; expected " << boxes.size()
+                    FAIL("split got " << all.size() << " boxes; " EXPECTED << boxes.size()
                                       << ".\nHint: pass boxes on as it is, all of it");
                 const auto n = static_cast<unsigned>(part.size());
                 if (n == 1 || (shape == 5 && n < (level == 0 ? 400u : 20u))) return 0;
@@ -431,7 +431,7 @@ TEST_CASE("07.3 bad splits do not make the tree deep", "[07.3][hard]") {
     {
         INFO(
             "the split separates only one sphere at a time; your largest leaf has "
-            << largest << " spheres, expected " << rt::leaf_size << " at most.\nHint: at level "
+            << largest << " spheres, " EXPECTED << rt::leaf_size << " at most.\nHint: at level "
             << "most_levels and deeper call split_in_half, and go on while it returns more than 0");
         CHECK(largest <= rt::leaf_size);
     }

@@ -37,8 +37,8 @@ struct ByHand {
         rt::Search search{spheres, order, ray, within};
         {
             INFO(
-                "Hint, if this crashes: a leaf has no children, so return after its spheres; and a "
-                "ray may miss a sphere");
+                IF_IT_CRASHES
+                "a leaf has no children, so return after its spheres; and a ray may miss a sphere");
             if (search.meets(root.box)) rt::find_nearest(root, search);
         }
         INFO("sphere 2 is in no leaf.\nHint: search.shapes_in(node) has the numbers of a leaf");
@@ -343,7 +343,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
         hint = "search a child only if search.reaches(child) is true just before";
     INFO("4096 spheres, 2047 boxes; per ray your search tests "
          << boxes << " boxes and " << tests
-         << " spheres; expected about 58 and 20.\nHint: " << hint);
+         << " spheres; " EXPECTED "about 58 and 20.\nHint: " << hint);
     CHECK(boxes <= 60);
     CHECK(boxes > 40);
     CHECK(tests < 24);
@@ -428,9 +428,9 @@ TEST_CASE("07.4 a tree may have 84 levels", "[07.4][hard]") {
             const Ray ray{{start, 0, 0}, {static_cast<Real>(way), 0, 0}};
             rt::Search search{spheres, order, ray, {}}, expected = search;
             {
-                INFO(
-                    "Hint, if this crashes: a list of nodes still to visit needs room for as many "
-                    "nodes as the tree has levels");
+                INFO(IF_IT_CRASHES
+                     "a list of nodes still to visit needs room for as many nodes as the tree has "
+                     "levels");
                 rt::find_nearest(*tree, search);
             }
             expect_of(*tree, expected);

@@ -52,7 +52,7 @@ inline int check_places(const rt::TreeNode& node, int first) {
     if (node.first != first || node.count < 1) {
         INFO("a leaf holds "
              << node.count << " spheres from index " << node.first
-             << " on; expected 1 or more from index " << first
+             << " on; " EXPECTED "1 or more from index " << first
              << " on, where the leaves to the left of it end.\nHint: "
              << (node.first == first
                      ? "a leaf's count is order.size()"

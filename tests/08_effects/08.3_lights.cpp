@@ -225,14 +225,14 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
         1 / (2 * rt::pi * static_cast<Real>(exact_height(Real(0.7), distance).high));
     const Real density = rt::light_density(usual, from);
     {
-        INFO("expected "
+        INFO(EXPECTED
              << text(expected) << ", but yours gives " << text(density)
              << ".\nHint: the solid angle of a cap is 2 pi times its height, and the density "
                 "is 1 / (2 * pi * height), with the parentheses");
         check_near(density, expected, rt::rounding_bound(30) * expected);
     }
     const Real inside = rt::light_density(usual, usual.center + Vec3{Real(0.2), 0, Real(0.1)});
-    INFO("for a point inside the light: expected "
+    INFO("for a point inside the light: " EXPECTED
          << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
          << ".\nHint: from inside, the light is seen in every direction");
     check_near(inside, 1 / (4 * rt::pi), 4 * rt::epsilon);
@@ -313,7 +313,7 @@ TEST_CASE("08.3 samples are spread evenly over the solid angle of the light", "[
     });
     const double statistic = chi_square(observed, expected);
     INFO("36 parts of equal solid angle should get 100 of 3600 sample points each; chi-square is "
-         << statistic << "; expected less than " << chi_square_limit(35)
+         << statistic << "; " EXPECTED "less than " << chi_square_limit(35)
          << ".\nHint: the height of the cap, 1 - cos, is spread evenly, not the angle to the "
             "center; and the turn goes all the way around, 2 pi");
     CHECK(statistic < chi_square_limit(35));
@@ -386,7 +386,7 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     const Sphere light{{1, 1, 1}, 3};
     {
         const Real density = rt::light_density(light, {1, 4, 1});
-        INFO("on the surface itself, d = r, expected "
+        INFO("on the surface itself, d = r, " EXPECTED
              << text(1 / (4 * rt::pi)) << ", but yours gives " << text(density)
              << ".\nHint: a point with d <= r counts as inside");
         check_near(density, 1 / (4 * rt::pi), 4 * rt::epsilon);
@@ -467,7 +467,7 @@ TEST_CASE("08.3 even a very small light is sampled", "[08.3][hard]") {
         const Real expected = 1 / (rt::pi * ratio * ratio);  // h is ratio^2 / 2 after rounding
         const LightSample sample = sampled(star, {0, 0, 0}, {Real(0.25), Real(0.5)});
         for (const Real density : {rt::light_density(star, {0, 0, 0}), sample.density}) {
-            INFO("a light of radius " << text(ratio) << " at distance 1: expected the density "
+            INFO("a light of radius " << text(ratio) << " at distance 1: " EXPECTED "the density "
                                       << text(expected) << ", but yours gives " << text(density)
                                       << ".\nHint: the height h is large enough if it is at least "
                                          "std::numeric_limits<Real>::min()");

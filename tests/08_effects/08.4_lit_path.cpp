@@ -215,7 +215,7 @@ TEST_CASE("08.4 a path never loses the light that it has collected", "[08.4]") {
             INFO("a floor of albedo "
                  << checkpoint::text(albedo) << " under a light of radiance " << text(radiance)
                  << "; the paths end " << name << " after " << depth
-                 << " bounces; mean of the light: " << mean.mean() << ", expected " << expected
+                 << " bounces; mean of the light: " << mean.mean() << ", " EXPECTED << expected
                  << ".\nHint: a path adds the direct light before it ends, in black or in the sky, "
                     "times the throughput from before the ending, however small that is");
             CHECK(std::abs(mean.mean() - expected) <=
@@ -242,7 +242,7 @@ TEST_CASE("08.4 an absorbed path keeps the light that it has collected", "[08.4]
         mean.add(gray(rt::lit_path_radiance(down, world, materials, rt::UniformSky{{0, 0, 0}},
                                             lights, rt::NoFog{}, rt::SkyEnding{}, 5, random)));
     const double expected = 2 / 1600.0;
-    INFO("mean of the light: " << mean.mean() << ", expected " << expected
+    INFO("mean of the light: " << mean.mean() << ", " EXPECTED << expected
                                << ".\nHint: where the material gives no Scatter, return the light "
                                   "that was collected so far");
     CHECK(std::abs(mean.mean() - expected) <= limit * mean.standard_error() + 0.01 * expected);
@@ -493,7 +493,7 @@ TEST_CASE("08.4 a light behind glass is added to the light that was collected", 
                                               lights, rt::NoFog{}, rt::SkyEnding{}, 9, random);
     const Color expected = Color{1, 2, 3} + 2 / rt::pi * Color{1, 1, 1};
     INFO("light "
-         << text(found) << ", expected " << text(expected)
+         << text(found) << ", " EXPECTED << text(expected)
          << ": 0.637 from the bulb above the floor, and (1, 2, 3) from the lamp behind the "
             "glass.\nHint: at glass no light is sampled, so `sampled` is false again there, "
             "and the lamp that the path then meets is added in full to what was collected");

@@ -109,8 +109,8 @@ TEST_CASE("08.5 a ray hits an ellipsoid at the correct t", "[08.5]") {
         const bool same = t.has_value() == expected.has_value() &&
                           (!t || std::abs(*t - *expected) <= 8 * rt::epsilon);
         INFO(text(ray) << ", and an ellipsoid around (5, 0, 0) with the semi-axes 2, 1 and 0.5 "
-                          "along x, y and z: expected "
-                       << text(expected) << ", actual " << text(t) << ".\nHint: " << hint);
+                          "along x, y and z: " EXPECTED
+                       << text(expected) << ", " ACTUAL << text(t) << ".\nHint: " << hint);
         CHECK(same);
     };
     check({{0, 0, 0}, {1, 0, 0}}, Real(3), "the ellipsoid begins at x = 3");
@@ -146,7 +146,7 @@ TEST_CASE("08.5 point and normal are in world space", "[08.5]") {
         CHECK(is_near(hit.normal, expected, 1));
     }
     {
-        INFO("t must be the given t of the ray in world space: expected 4.1, but yours is "
+        INFO("t must be the given t of the ray in world space: " EXPECTED "4.1, but yours is "
              << checkpoint::text(hit.t));
         CHECK(hit.t == Real(4.1));
     }
@@ -224,7 +224,7 @@ TEST_CASE("08.5 hits lie on the surface and the normal is perpendicular to it", 
         {
             INFO("in the object's space, the point "
                  << text(hit.point) << " is " << text(there) << ", at the distance "
-                 << text(rt::length(there)) << " from the origin; expected 1");
+                 << text(rt::length(there)) << " from the origin; " EXPECTED "1");
             REQUIRE(std::abs(rt::length(there) - 1) <= 4 * rounding);
         }
         // The two directions perpendicular to `there`, moved to the world, are tangent to the
@@ -295,7 +295,7 @@ TEST_CASE("08.5 the box extends from the center by the row lengths plus the marg
         const Real size = max_component(center) + max_component(half);
         INFO("the unit sphere, mapped by"
              << text(map) << "\nreaches " << text(half) << " from its center, and with the margin "
-             << text(grown) << ": expected " << text(expected) << ", actual " << text(box)
+             << text(grown) << ": " EXPECTED << text(expected) << ", " ACTUAL << text(box)
              << ".\nHint: " << hint);
         CHECK(is_near(box.low, expected.low, size, 8));
         CHECK(is_near(box.high, expected.high, size, 8));
@@ -335,8 +335,8 @@ TEST_CASE("08.5 boxes are tight and contain their ellipsoids", "[08.5][hard]") {
         const Vec3 grown = half + Vec3{margin, margin, margin};
         const Real largest = max_component(center) + max_component(half);
         const Box expected{center - grown, center + grown}, box = rt::bounds_of(instance);
-        INFO("the unit sphere, mapped by" << text(m) << "\nexpected " << text(expected)
-                                          << ", actual " << text(box));
+        INFO("the unit sphere, mapped by" << text(m) << "\n" EXPECTED << text(expected)
+                                          << ", " ACTUAL << text(box));
         REQUIRE(is_near(box.low, expected.low, largest, 16));
         REQUIRE(is_near(box.high, expected.high, largest, 16));
     }

@@ -32,14 +32,14 @@ void check(const Haze& haze, Color color, Real distance, Color expected, const c
     const Color computed = seen(haze, color, distance);
     INFO("density " << text(haze.density) << ", color of the haze " << words(haze.color));
     INFO("light " << words(color) << ", distance " << text(distance));
-    INFO("expected " << words(expected) << ", actual " << words(computed) << "\nHint: " << hint);
+    INFO(EXPECTED << words(expected) << ", " ACTUAL << words(computed) << "\nHint: " << hint);
     const auto is_near = [](Real a, Real b) { return std::abs(a - b) <= 16 * rt::epsilon * b; };
     CHECK((is_near(computed.r, expected.r) && is_near(computed.g, expected.g) &&
            is_near(computed.b, expected.b)));
 }
 
 void check_same(Color computed, Color expected, const char* hint) {
-    INFO("expected " << words(expected) << ", actual " << words(computed) << "\nHint: " << hint);
+    INFO(EXPECTED << words(expected) << ", " ACTUAL << words(computed) << "\nHint: " << hint);
     CHECK(computed == expected);
 }
 

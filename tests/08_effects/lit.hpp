@@ -57,7 +57,7 @@ struct Lit {
 };
 
 inline void check_mean(const Mean& mean, double expected) {
-    INFO("mean " << mean.mean() << ", expected " << expected << ", standard error "
+    INFO("mean " << mean.mean() << ", " EXPECTED << expected << ", standard error "
                  << mean.standard_error());
     // If every sample is the same, only rounding is left.
     CHECK(std::abs(mean.mean() - expected) <=

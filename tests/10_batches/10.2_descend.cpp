@@ -57,7 +57,7 @@ void check_log(const Log& actual, const Log& expected) {
                     "right, an earlier child has overwritten this node's list or masks: check "
                     "which memory you passed to it";
         }
-        INFO("test or visit " << i << ": expected " << text(expected, i, from) << ", but yours is "
+        INFO("test or visit " << i << ": " EXPECTED << text(expected, i, from) << ", but yours is "
                               << text(actual, i, from));
         INFO("Hint: " << hint);
         REQUIRE(text(actual, i, from) == text(expected, i, from));
@@ -227,8 +227,8 @@ TEST_CASE("10.2 hits in a leaf shorten the rays for the nodes that come later", 
     std::vector<std::uint32_t> lists(100);
     std::vector<std::uint8_t> masks(100);
     rt::descend(tree, 0, rays, {lists.data(), masks.data()});
-    INFO(
-        "a chain of four nodes: expected tests with 3, 3, 2 and 2 rays\nHint: test a node only "
-        "after all leaves of the children before it have been visited");
+    INFO("a chain of four nodes: " EXPECTED
+         "tests with 3, 3, 2 and 2 rays\nHint: test a node only after all leaves of the children "
+         "before it have been visited");
     CHECK(tree.lengths == std::vector<std::size_t>{3, 3, 2, 2});
 }

@@ -44,7 +44,7 @@ void check_sort(const Paths& list, const Kinds& kinds, std::uint8_t beside) {
     if (!is_right) {
         INFO(list.size() << " paths " << text(list) << " of the kinds " << text(kinds));
         for (std::size_t kind = 0; kind <= count; ++kind) {
-            INFO("the result's [" << kind << "]: expected " << first_expected[kind]
+            INFO("the result's [" << kind << "]: " EXPECTED << first_expected[kind]
                                   << ", but yours gives " << first[kind]);
             INFO(
                 "Hint: element [k] is the number of paths whose kind is less than k; the last "
@@ -59,7 +59,7 @@ void check_sort(const Paths& list, const Kinds& kinds, std::uint8_t beside) {
         }
         for (std::size_t place = 0; place < sorted.size(); ++place) {
             if (sorted[place] == sorted_expected[place]) continue;
-            INFO("to[" << place << "]: expected path " << sorted_expected[place]
+            INFO("to[" << place << "]: " EXPECTED "path " << sorted_expected[place]
                        << ", but yours gives " << sorted[place]
                        << (sorted[place] == unwritten
                                ? ", which means that nothing was written there"

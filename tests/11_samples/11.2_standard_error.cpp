@@ -74,8 +74,8 @@ void check_count(Real variance, Real error, std::int64_t most, std::int64_t fewe
     if (!is_right) {
         INFO("variance " << checkpoint::text(variance) << ", error " << checkpoint::text(error)
                          << ", most " << most);
-        INFO("expected " << fewest << (fewest < greatest ? " to " + std::to_string(greatest) : "")
-                         << ", but yours gives " << actual << ".\nHint: " << hint);
+        INFO(EXPECTED << fewest << (fewest < greatest ? " to " + std::to_string(greatest) : "")
+                      << ", but yours gives " << actual << ".\nHint: " << hint);
         REQUIRE(std::to_string(actual) == std::to_string(actual < fewest ? fewest : greatest));
     }
     CHECK(is_right);

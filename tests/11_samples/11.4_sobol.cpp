@@ -49,7 +49,7 @@ void check_mirrored(std::uint32_t x) {
     const std::uint32_t actual = rt::reversed_bits(x), expected = mirrored(x);
     const bool is_right = actual == expected;
     if (!is_right) {
-        INFO("reversed_bits(" << hex(x) << "): expected " << hex(expected) << ", but yours gives "
+        INFO("reversed_bits(" << hex(x) << "): " EXPECTED << hex(expected) << ", but yours gives "
                               << hex(actual));
         INFO(
             "Hint: all 32 bits change places: bit 0 becomes bit 31, bit 1 becomes bit 30, and so "
@@ -87,7 +87,7 @@ void check_point(std::uint32_t index) {
                      return FixedPoint2{p.y, p.x};
                  }))
             hint = "x and y are swapped";
-        INFO("point " << index << ": expected " << text(expected) << ", but yours gives "
+        INFO("point " << index << ": " EXPECTED << text(expected) << ", but yours gives "
                       << text(actual));
         INFO("Hint: " << hint);
         REQUIRE(text(actual) == text(expected));
@@ -108,7 +108,7 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
     if (!is_right) {
         INFO("with seed " << hex(seed) << ", " << hex(a) << " becomes " << hex(scrambled_a)
                           << " and " << hex(b) << " becomes " << hex(scrambled_b));
-        INFO("the two had their first " << expected << " bits in common: expected " << expected
+        INFO("the two had their first " << expected << " bits in common: " EXPECTED << expected
                                         << " afterward, but yours have " << actual);
         const char* hint =
             "a bit may depend only on itself and on the bits before it (to its left). Products and "
@@ -188,7 +188,7 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
         int flipped = 0;
         for (const unsigned bit : flips[k]) flipped += static_cast<int>(bit);
         // A fair coin is off by more once in 10^13 times.
-        INFO(text(prefixes[k]) << ": expected to be flipped by about half of " << seeds
+        INFO(text(prefixes[k]) << ": " EXPECTED "to be flipped by about half of " << seeds
                                << " random seeds, but your code flips it with " << flipped
                                << "\nHint: the seed must affect each bit, even the first");
         REQUIRE(std::abs(flipped - seeds / 2) < 75);
@@ -198,11 +198,11 @@ TEST_CASE("11.4 the flips of the first bits are random and independent", "[11.4]
             int different = 0;
             for (std::size_t i = 0; i < seeds; ++i)
                 different += static_cast<int>(flips[k][i] ^ flips[j][i]);
-            INFO(text(prefixes[k])
-                 << " and " << text(prefixes[j]) << ", with " << seeds
-                 << " random seeds: expected exactly one of them to be flipped about half of the "
-                    "time, but with your code that happens "
-                 << different << " times");
+            INFO(text(prefixes[k]) << " and " << text(prefixes[j]) << ", with " << seeds
+                                   << " random seeds: " EXPECTED
+                                      "exactly one of them to be flipped about half of the time, "
+                                      "but with your code that happens "
+                                   << different << " times");
             INFO(
                 "Hint: one flip determines the other. It is not enough to flip the same bits of "
                 "all fractions (a digital shift): whether a bit is flipped must also depend on the "
@@ -233,7 +233,7 @@ TEST_CASE("11.4 every box has one scrambled point of each block", "[11.4]") {
                 const auto empty = std::count(counts.begin(), counts.end(), 0);
                 INFO("points " << (block << m) << " to " << ((block + 1) << m) - 1 << ", "
                                << (1 << columns) << " x " << (1 << (m - columns))
-                               << " boxes: expected one point in each, but in yours " << empty
+                               << " boxes: " EXPECTED "one point in each, but in yours " << empty
                                << " boxes are empty");
                 INFO(
                     "Hint: the points of sobol_point are spread like this, and scrambling must "
@@ -275,7 +275,7 @@ TEST_CASE("11.4 neighboring seeds give unrelated points", "[11.4][hard]") {
                 INFO("point " << (is_later ? "i" : other) << " with seed S and point "
                               << (is_later ? other : "i") << " with seed S + 1, for " << seeds
                               << " random S and " << points << " points");
-                INFO("expected unrelated numbers, but with yours "
+                INFO(EXPECTED "unrelated numbers, but with yours "
                      << same << " of " << seeds * static_cast<int>(points) << " are the same");
                 INFO(
                     "Hint: if the seed is added first, S + 1 gives the points of S again, one "
@@ -309,11 +309,11 @@ TEST_CASE("11.4 no flip of the first seven bits determines another", "[11.4][har
             const double correlation = 1 - 2.0 * different / seeds;
             largest = std::max(largest, std::abs(correlation));
             if (std::abs(correlation) < 0.25) continue;
-            INFO(text(prefixes[k])
-                 << " and " << text(prefixes[j]) << ", with " << seeds
-                 << " random seeds: expected exactly one of them to be flipped about half of the "
-                    "time, but with your code that happens "
-                 << different << " times");
+            INFO(text(prefixes[k]) << " and " << text(prefixes[j]) << ", with " << seeds
+                                   << " random seeds: " EXPECTED
+                                      "exactly one of them to be flipped about half of the time, "
+                                      "but with your code that happens "
+                                   << different << " times");
             INFO(
                 "Hint: one flip often determines the other. If you use the steps of the comment, "
                 "do all of them: add the seed (by += and not by ^=, because a sum carries), and "
@@ -340,7 +340,7 @@ TEST_CASE("11.4 the first seven flips show all patterns equally often", "[11.4][
     INFO(
         "the first bit has one flip, the second two and the third four, one for each choice of "
         "the bits before it; with "
-        << each * patterns << " random seeds: expected each of the " << patterns
+        << each * patterns << " random seeds: " EXPECTED "each of the " << patterns
         << " patterns of these seven flips about " << each << " times, but with yours " << never
         << " never occur, and the others up to " << *most << " times");
     INFO(
@@ -361,7 +361,7 @@ TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {
             flipped += static_cast<int>(flip({random(), bit}, random()));
         // A fair coin is off by more once in 10^14 times.
         {
-            INFO("bit " << bit << " of the fraction, where 0 is its first one: expected to be "
+            INFO("bit " << bit << " of the fraction, where 0 is its first one: " EXPECTED "to be "
                         << "flipped half of the time, but your code flips it " << flipped
                         << " times of " << trials
                         << "\nHint: every bit is flipped or not, from the first to the last one");
@@ -375,8 +375,9 @@ TEST_CASE("11.4 each flip depends on each bit before it", "[11.4][hard]") {
             }
             if (is_one_half(changed, trials)) continue;
             INFO("bit " << bit << " of two fractions that differ in bit " << before
-                        << " (0 is the first one): expected exactly one of them to be flipped "
-                           "about half of the time, but with your code that happens "
+                        << " (0 is the first one): " EXPECTED
+                           "exactly one of them to be flipped about half of the time, but with "
+                           "your code that happens "
                         << changed << " times of " << trials);
             INFO(
                 "Hint: a flip depends on all bits before it. One multiplication by an even number "
@@ -397,8 +398,9 @@ TEST_CASE("11.4 three flips do not determine a fourth", "[11.4][hard]") {
                                     flip({c, bit}, seed) ^ flip({a ^ b ^ c, bit}, seed));
         }
         INFO("bit " << bit << " (0 is the first one) of four fractions a, b, c and a ^ b ^ c: "
-                    << "expected an odd number of them to be flipped about half of the time, but "
-                       "with yours that happens "
+                    << EXPECTED
+             "an odd number of them to be flipped about half of the time, but with yours that "
+             "happens "
                     << odd << " times of " << trials);
         INFO(
             "Hint: a flip that is an exclusive or of bits of the fraction and of the seed is not "
@@ -417,7 +419,7 @@ TEST_CASE("11.4 each bit of the seed changes the scrambling", "[11.4][hard]") {
                          rt::owen_scrambled(fraction, seed ^ 1u << bit);
         }
         INFO("bit "
-             << bit << " of the seed, where 0 is the last one: expected a different scrambling "
+             << bit << " of the seed, where 0 is the last one: " EXPECTED "a different scrambling "
              << "with it than without it, but 100 fractions become the same with yours\nHint: the "
                 "seed has 32 bits, and each seed gives a different scrambling");
         REQUIRE(different > 0);

@@ -68,7 +68,7 @@ void check_exposed(const Color& color, Real stops) {
     // A power by exp(stops log 2) has this much error.
     const bool is_right = is_near(actual, expected, 8 + static_cast<int>(2 * std::abs(stops)));
     if (!is_right) {
-        INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): expected "
+        INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): " EXPECTED
                         << text(expected) << ", but yours gives " << text(actual));
         const char* hint =
             "multiply the light by 2 to the power of the stops: 3 stops are a factor of 8, -1 stop "
@@ -85,7 +85,7 @@ void check_luminance(const Color& color) {
     const Wide expected = expected_luminance(color);
     const bool is_right = is_near(actual, expected, 12);
     if (!is_right) {
-        INFO("luminance(" << text(color) << "): expected "
+        INFO("luminance(" << text(color) << "): " EXPECTED
                           << checkpoint::text(static_cast<Real>(expected)) << ", but yours gives "
                           << checkpoint::text(actual));
         const char* hint =
@@ -107,7 +107,7 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
     const bool is_right = is_near(actual, expected, roundings);
     if (!is_right) {
         INFO("tone_curve(" << checkpoint::text(luminance) << ", white " << checkpoint::text(white)
-                           << "): expected " << checkpoint::text(static_cast<Real>(expected))
+                           << "): " EXPECTED << checkpoint::text(static_cast<Real>(expected))
                            << ", but yours gives " << checkpoint::text(actual));
         const char* hint =
             "the two factors are L / (1 + L) and 1 + L / white^2; a luminance of `white` becomes 1";
@@ -138,7 +138,7 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
     const bool is_right = is_near(actual, expected, roundings);
     if (!is_right) {
         INFO("tone_mapped(" << text(color) << ", white " << checkpoint::text(white)
-                            << "): expected " << text(expected) << ", but yours gives "
+                            << "): " EXPECTED << text(expected) << ", but yours gives "
                             << text(actual));
         const char* hint =
             "multiply the whole color by one factor, tone_curve of its luminance divided by its "

@@ -241,7 +241,7 @@ void check_denoised(const Scene& scene, const DenoiseWidths& widths, const char*
     const int x = i % scene.width(), y = i / scene.width();
     std::string words = suggestion(actual, scene, widths, roundings);
     if (words.empty()) words = hint;
-    INFO("pixel (" << x << ", " << y << ") was " << text(scene.picture.at(x, y)) << ": expected "
+    INFO("pixel (" << x << ", " << y << ") was " << text(scene.picture.at(x, y)) << ": " EXPECTED
                    << text(expected.at(x, y)) << ", but yours gives " << text(actual.at(x, y)));
     INFO("Hint: " << words);
     REQUIRE(text(actual.at(x, y)) == text(expected.at(x, y)));
@@ -369,7 +369,7 @@ TEST_CASE("11.6 the variance falls by the factor that the weights give", "[11.6]
             for (const Real channel : {c.r, c.g, c.b}) mean.add(static_cast<double>(channel));
         }
     INFO("a flat surface with noise of variance "
-         << 1.0 / 12 << ": expected a variance of about " << expected
+         << 1.0 / 12 << ": " EXPECTED "a variance of about " << expected
          << " afterward, but your filter leaves " << mean.variance());
     INFO(
         "Hint: a sum of weights times noise has the variance times the sum of the squared weights; "

@@ -26,7 +26,7 @@ void check_hit(const Triangle& triangle, const Ray& ray, Interval within,
                        std::abs(hit->v - expected.v) <= near;
     if (!right) {
         INFO(text(triangle) << " and " << text(ray));
-        INFO("expected " << text_of(expected) << "\nactual " << text_of(hit));
+        INFO(EXPECTED << text_of(expected) << "\n" ACTUAL << text_of(hit));
         INFO("Hint: " << hint);
         REQUIRE(right);
     }
@@ -36,7 +36,7 @@ void check_hit(const Triangle& triangle, const Ray& ray, Interval within,
 void check_none(const Triangle& triangle, const Ray& ray, Interval within, const char* hint) {
     const auto hit = hit_triangle(triangle, ray, within);
     if (hit) {
-        INFO(text(triangle) << " and " << text(ray) << "\nexpected no hit, actual "
+        INFO(text(triangle) << " and " << text(ray) << "\n" EXPECTED "no hit, " ACTUAL
                             << text_of(hit));
         INFO("Hint: " << hint);
         REQUIRE(!hit);
@@ -162,7 +162,7 @@ TEST_CASE("12.1 a ray through a shared edge hits exactly one of the two triangle
         const int hits = count_hits({one, other}, ray);
         if (hits != 1) {
             INFO(text(one) << "\n" << text(other) << "\n" << text(ray));
-            INFO("expected one hit, actual " << hits);
+            INFO(EXPECTED "one hit, " ACTUAL << hits);
             INFO("Hint: " << (hits == 0
                                   ? "the ray slips through the edge: decide by the sign of an area "
                                     "that both triangles compute from the same two points"
@@ -208,7 +208,7 @@ TEST_CASE("12.1 rays from straight above hit a grid once at corners and edges", 
                               turned({0, -up / 9, 0}, side)};
                 const int hits = count_hits(surface, ray);
                 if (hits == 1) continue;
-                INFO(text(ray) << ": expected one hit of the grid, actual " << hits);
+                INFO(text(ray) << ": " EXPECTED "one hit of the grid, " ACTUAL << hits);
                 INFO(
                     "Hint: treat a ray through a corner as if it were moved a little, in the same "
                     "way for all triangles around it");
@@ -232,7 +232,8 @@ TEST_CASE("12.1 a ray from inside a closed surface without dents hits it once", 
         const Ray ray{from, aim - from};
         const int hits = count_hits(surface, ray);
         if (hits == 1) continue;
-        INFO(text(ray) << " starts inside a closed surface without dents: expected one hit, actual "
+        INFO(text(ray) << " starts inside a closed surface without dents: " EXPECTED
+                          "one hit, " ACTUAL
                        << hits);
         INFO("Hint: all triangles around a corner must compute the same position for it");
         REQUIRE(hits == 1);
@@ -249,10 +250,9 @@ TEST_CASE("12.1 a ray enters a closed surface as often as it leaves it", "[12.1]
         const Ray ray{from, mesh.points[rng() % mesh.points.size()] - from};
         const int hits = count_hits(surface, ray);
         if (hits % 2 == 0) continue;
-        INFO(text(ray)
-             << " starts outside a closed surface and goes toward a corner: expected an even "
-                "number of hits, actual "
-             << hits);
+        INFO(text(ray) << " starts outside a closed surface and goes toward a corner: " EXPECTED
+                          "an even number of hits, " ACTUAL
+                       << hits);
         REQUIRE(hits % 2 == 0);
     }
     SUCCEED();
@@ -333,7 +333,7 @@ TEST_CASE("12.1 the weights are right far from the scene's origin", "[12.1][hard
                            std::abs(static_cast<double>(hit->v) - v) <= near;
         if (!right) {
             INFO(text(triangle) << " and " << text(ray));
-            INFO("expected u " << u << ", v " << v << "\nactual " << text_of(hit));
+            INFO(EXPECTED "u " << u << ", v " << v << "\n" ACTUAL << text_of(hit));
             INFO(
                 "Hint: subtract the ray's origin from the corners first; the differences are "
                 "small and exact, or nearly so");

@@ -47,8 +47,8 @@ void check_tree(const std::vector<SceneTriangle>& all, const Ray& ray) {
     const int expected = nearest_of_all(all, ray, within);
     const int actual = tree.search(ray, within).nearest;
     if (actual != expected) {
-        INFO(text(ray) << " among " << all.size() << " triangles: expected number " << expected
-                       << ", actual " << actual << " (-1 is none)");
+        INFO(text(ray) << " among " << all.size() << " triangles: " EXPECTED "number " << expected
+                       << ", " ACTUAL << actual << " (-1 is none)");
         INFO(
             "Hint: the tree is that of chapter 07. Check that each box contains its triangle, and "
             "that hit_shape passes the interval on");
@@ -65,7 +65,7 @@ TEST_CASE("12.2 the box fits the triangle", "[12.2]") {
     INFO("Hint: find the smallest and the largest x, y and z of the three corners");
     const Real near = rt::hit_margin * 16;
     const auto check = [&](Vec3 actual, Vec3 expected) {
-        INFO("expected " << text(expected) << ", actual " << text(actual));
+        INFO(EXPECTED << text(expected) << ", " ACTUAL << text(actual));
         CHECK(rt::max_component(actual - expected) <= near);
     };
     check(box.low, {-4, -7, -8});
@@ -87,7 +87,7 @@ TEST_CASE("12.2 the box fits the corners in whatever order they come", "[12.2]")
         const bool right =
             rt::max_component(box.low - low) <= near && rt::max_component(box.high - high) <= near;
         if (!right) {
-            INFO(text(shape) << ": expected " << text_of({low, high}) << "\nactual "
+            INFO(text(shape) << ": " EXPECTED << text_of({low, high}) << "\n" ACTUAL
                              << text_of(box));
             REQUIRE(right);
         }
@@ -119,8 +119,8 @@ TEST_CASE("12.2 a shape is hit where its triangle is hit", "[12.2]") {
             if (right) continue;
             INFO(text(triangle.shape) << " and " << text(ray) << ", within " << text(within.min)
                                       << " to " << text(within.max));
-            INFO("expected " << (expected ? text(*expected) : "none") << ", actual "
-                             << (actual ? text(*actual) : "none"));
+            INFO(EXPECTED << (expected ? text(*expected) : "none") << ", " ACTUAL
+                          << (actual ? text(*actual) : "none"));
             INFO(
                 "Hint: return the t of hit_triangle, within the same interval. Every t in it "
                 "counts, however small");
@@ -206,7 +206,7 @@ TEST_CASE("12.2 the margin is as wide as in 07.2", "[12.2][hard]") {
             std::abs(low - expected) <= rounding && std::abs(high - expected) <= rounding;
         if (!right) {
             INFO(text(triangle.shape) << ", your " << text_of(box));
-            INFO("along y the margin is " << low << " below and " << high << " above; expected "
+            INFO("along y the margin is " << low << " below and " << high << " above; " EXPECTED
                                           << expected);
             INFO(
                 "Hint: hit_margin * (the largest absolute coordinate of all corners), the same on "

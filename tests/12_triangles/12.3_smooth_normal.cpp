@@ -268,7 +268,7 @@ TEST_CASE("12.3 a bent normal mirrors light along the triangle", "[12.3][hard]")
                            << text(incoming) << "\nyour normal " << text(bent)
                            << " mirrors it along " << text(mirrored));
             INFO("whose height over the triangle is "
-                 << now << "; expected 0. With the smooth normal, the height was " << height);
+                 << now << "; " EXPECTED "0. With the smooth normal, the height was " << height);
             INFO(
                 "Hint: take the mirror direction, remove its part along flat, and find the normal "
                 "halfway between that and -incoming");

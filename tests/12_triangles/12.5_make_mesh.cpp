@@ -89,7 +89,7 @@ TEST_CASE("12.5 a square becomes two triangles", "[12.5]") {
     REQUIRE(mesh.triangles.size() == 2);
     CHECK(mesh.points.size() == 4);
     for (const Triangle& triangle : shapes_of(mesh)) {
-        INFO(text(triangle) << ": expected (b - a) x (c - a) of length 1 along z, actual "
+        INFO(text(triangle) << ": " EXPECTED "(b - a) x (c - a) of length 1 along z, " ACTUAL
                             << text(exact_normal(triangle)));
         INFO("Hint: keep the order of the polygon's corners");
         CHECK(std::abs((exact_normal(triangle).z - Exact(1)).high) < 1e-6);
@@ -117,7 +117,7 @@ TEST_CASE("12.5 polygons with any number of corners keep the order of their corn
         CHECK(front == std::array<Corner, 3>{Corner{n}, Corner{n + 1}, Corner{n + 2}});
         const double first = exact_normal(shapes_of(mesh)[0]).z.high;
         const double actual = area_of(mesh).z.high - first;
-        INFO("expected twice the area " << area << ", actual " << actual);
+        INFO(EXPECTED "twice the area " << area << ", " ACTUAL << actual);
         CHECK(std::abs(actual - area) < 1e-5);
         for (const Triangle& triangle : shapes_of(mesh)) CHECK(exact_normal(triangle).z.high > 0);
     }

@@ -23,7 +23,7 @@ void check_color(const Image& image, Vec2 place, Color expected, const char* hin
         INFO("at the texture coordinates (" << text(place.x) << ", " << text(place.y)
                                             << ") of an image of " << image.width() << " x "
                                             << image.height() << " pixels");
-        INFO("expected " << text_of(expected) << "\nactual " << text_of(actual));
+        INFO(EXPECTED << text_of(expected) << "\n" ACTUAL << text_of(actual));
         INFO("Hint: " << hint);
         REQUIRE(right);
     }

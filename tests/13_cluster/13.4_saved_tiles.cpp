@@ -36,8 +36,8 @@ std::vector<Color> some_pixels(unsigned seed, int count) {
 void check_tile(const fs::path& folder, int tile, const std::vector<Color>& expected) {
     const std::vector<Color> actual = rt::load_tile(folder, tile);
     const bool same = actual == expected;
-    INFO("tile " << tile << ": expected " << expected.size()
-                 << " pixels as they were saved, actual " << actual.size()
+    INFO("tile " << tile << ": " EXPECTED << expected.size()
+                 << " pixels as they were saved, " ACTUAL << actual.size()
                  << (actual.size() == expected.size() ? " other pixels" : ""));
     CHECK(same);
 }

@@ -164,8 +164,8 @@ TEST_CASE("portable functions return what their namesakes do for special numbers
                     const bool is_angle = is_one_of(f.name, {"sin", "cos", "tan"});
                     if (is_angle && 0x1p20 <= a && std::isfinite(a)) continue;
                     const double expected = f.library(x, y), actual = f.portable(x, y);
-                    INFO(f.name << " of " << x << ", " << y << ": expected " << expected
-                                << ", actual " << actual);
+                    INFO(f.name << " of " << x << ", " << y << ": " EXPECTED << expected
+                                << ", " ACTUAL << actual);
                     bool is_right = std::isnan(expected) ? std::isnan(actual) : actual == expected;
                     if (std::isfinite(expected) && expected != 0)
                         is_right =

@@ -96,7 +96,7 @@ TEST_CASE("a report times its rows in turns", "[report]") {
     CHECK(rows[1].cost == 7);
     // Equal work. The rest is the machine's noise.
     const double ratio = rows[0].cost / rows[2].cost;
-    INFO("expected about 10, actual " << ratio);
+    INFO(EXPECTED "about 10, " ACTUAL << ratio);
     CHECK(ratio > 3);
     CHECK(ratio < 30);
 }

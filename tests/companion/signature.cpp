@@ -13,7 +13,7 @@ TestCase failing(const std::string& name, const std::string& expanded,
     TestCase test;
     test.name = name;
     test.ended = true;
-    test.failures.push_back({"CHECK( a == b )", expanded, "", {messages}, ""});
+    test.failures.push_back({"CHECK( a == b )", expanded, "", {{messages, "", ""}}, ""});
     return test;
 }
 
@@ -26,15 +26,29 @@ TEST_CASE("numbers are rounded and names are not", "[signature]") {
     CHECK(with_rounded_numbers("vec3 v1.x -4.5e-200 1e400 .25") == "vec3 v1.x -4.5e-200 inf 0.25");
 }
 
-TEST_CASE("a signature knows test case, expression and values but no rounding and no hints",
-          "[signature]") {
-    const Signature one = signature_of({failing("01.1 x", "1.0 == 2.0", "yours 0.1\nHint: a")});
-    CHECK(one == signature_of({failing("01.1 x", "1.00001 == 2", "yours 0.10000001\nHint: b")}));
+TEST_CASE("a signature knows test case, expression and values but no rounding", "[signature]") {
+    const Signature one = signature_of({failing("01.1 x", "1.0 == 2.0", "yours 0.1")});
+    CHECK(one == signature_of({failing("01.1 x", "1.00001 == 2", "yours 0.10000001")}));
     CHECK_FALSE(one == signature_of({failing("01.1 x", "1.0 == 3.0", "yours 0.1")}));
     CHECK_FALSE(one == signature_of({failing("01.1 y", "1.0 == 2.0", "yours 0.1")}));
     CHECK(similarity(one, one) == 1);
     CHECK(similarity(one, {}) == 0);
     CHECK(similarity(one, signature_of({failing("01.1 x", "1 == 3", "yours 0.1")})) == 0.5);
+}
+
+TEST_CASE("of the messages the last one with an expected value is in the signature",
+          "[signature]") {
+    const auto saying = [](const std::vector<Message>& messages) {
+        TestCase test = failing("01.1 x", "1 == 2");
+        test.failures.front().messages = messages;
+        return signature_of({test});
+    };
+    const Message before{"expected 1", "1", ""}, last{"expected 2", "2", ""}, note{"row 3", "", ""};
+    CHECK(saying({before, last, note}) == saying({last}));
+    CHECK(saying({note, before}) == saying({before}));
+    CHECK_FALSE(saying({before}) == saying({last}));
+    CHECK(saying({before, note}).what != saying({note}).what);
+    CHECK(saying({{"column 4", "", ""}, note}) == saying({note}));
 }
 
 TEST_CASE("of many failures an even sample is kept", "[signature]") {

@@ -26,16 +26,18 @@ std::vector<companion::TestCase> read_report(const std::string& lines) {
     return companion::read_report(lines).tests;
 }
 
-const std::string report = R"(
+const std::string report =
+    R"(
 {"event":"begins","name":"01.1 a < b"}
 the tested code prints this, {"and":this}
 {"and":"this", "event":5}
 []
 
 {"event":"failed","macro":"CHECK","expression":"computed ==\n    vector<int>{2}","expanded":"3 == 2",)"
-                           R"("messages":["expected 2, but yours gives 3.\nHint: look \"here\""]}
+    R"("messages":[{"text":"expected 2, actual 3.\nHint: look \"here\"",)"
+    R"("expected":"2, ","actual":"3."},{"text":"row 1","if_it_crashes":true}]}
 
-{"event":"failed","messages":["FAIL says why"]}
+{"event":"failed","messages":[{"text":"FAIL says why"}]}
 
 {"event":"ends","passed":false,"output":""}
 
@@ -55,10 +57,16 @@ TEST_CASE("the events of test cases are read, whatever else is printed", "[test_
     REQUIRE(tests[0].failures.size() == 2);
     CHECK(tests[0].failures[0].expression == "CHECK( computed == vector<int>{2} )");
     CHECK(tests[0].failures[0].expanded == "3 == 2");
-    CHECK(tests[0].failures[0].messages ==
-          std::vector<std::string>{"expected 2, but yours gives 3.\nHint: look \"here\""});
+    REQUIRE(tests[0].failures[0].messages.size() == 2);
+    const companion::Message& compared = tests[0].failures[0].messages[0];
+    CHECK(compared.text == "expected 2, actual 3.\nHint: look \"here\"");
+    CHECK(compared.expected == "2");
+    CHECK(compared.actual == "3");
+    CHECK_FALSE(compared.if_it_crashes);
+    CHECK(tests[0].failures[0].messages[1].if_it_crashes);
     CHECK(tests[0].failures[1].expression == "FAIL");
-    CHECK(tests[0].failures[1].messages == std::vector<std::string>{"FAIL says why"});
+    REQUIRE(tests[0].failures[1].messages.size() == 1);
+    CHECK(tests[0].failures[1].messages[0].text == "FAIL says why");
     CHECK(tests[1].passed);
     CHECK(tests[1].output == "here I am");
 }
@@ -102,13 +110,13 @@ TEST_CASE("lines without the secret word of the run do not count", "[test_result
 
 TEST_CASE("what the tested code says is not obeyed by a terminal", "[test_results]") {
     const auto tests = read_report(R"({"event":"begins","name":"x"}
-{"event":"failed","exception":"\u001b[31mred\u001b]0;title\u0007","messages":["\u001b[2J\u009bgone\b"]}
+{"event":"failed","exception":"\u001b[31mred\u001b]0;title\u0007","messages":[{"text":"\u001b[2J\u009bgone\b"}]}
 {"event":"ends","passed":false,"output":")" +
                                    std::string(100'000, 'x') + "\"}");
     REQUIRE(tests.size() == 1);
     REQUIRE(tests[0].failures.size() == 1);
     CHECK(tests[0].failures[0].exception == "red");
-    CHECK(tests[0].failures[0].messages.at(0) == "gone");
+    CHECK(tests[0].failures[0].messages.at(0).text == "gone");
     CHECK(tests[0].output.size() < 5'000);
 }
 
@@ -130,7 +138,9 @@ TEST_CASE("events: passes and prints", "[.events]") {
 }
 
 TEST_CASE("events: fails", "[.events]") {
-    INFO("expected 1, but \xff");
+    INFO(EXPECTED "1, " ACTUAL "\xff.\nHint: "
+         << "actual or expected");
+    INFO(IF_IT_CRASHES "call");
     CHECK(1 + 1 == 1);
     FAIL_CHECK("said aloud");
 }
@@ -168,8 +178,12 @@ TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
     CHECK_FALSE(tests[1].passed);
     CHECK(tests[1].failures[0].expression == "CHECK( 1 + 1 == 1 )");
     CHECK(tests[1].failures[0].expanded == "2 == 1");
-    CHECK(tests[1].failures[0].messages.at(0).find("expected 1, but ") == 0);
-    CHECK(tests[1].failures[1].messages.back() == "said aloud");
+    CHECK(tests[1].failures[0].messages.at(0).text.find("expected 1, actual ") == 0);
+    CHECK(tests[1].failures[0].messages.at(0).expected == "1");
+    CHECK(tests[1].failures[0].messages.at(0).actual.size() == 3);  // a sign for what is no letter
+    CHECK(tests[1].failures[0].messages.at(1).text == "Hint, if this crashes: call");
+    CHECK(tests[1].failures[0].messages.at(1).if_it_crashes);
+    CHECK(tests[1].failures[1].messages.back().text == "said aloud");
     REQUIRE(tests[2].failures.size() == 2);
     CHECK(missing_exercise(tests[2]) == "01.1");
     CHECK(tests[2].failures[1].missing == "");
@@ -304,7 +318,7 @@ TEST_CASE("what never ends is stopped, and its hints are kept", "[test_results]"
         }
         if (i == 1 || ends) continue;
         REQUIRE(tests[0].failures.size() == 1);
-        CHECK(tests[0].failures[0].messages.back().rfind("Hint: ", 0) == 0);
+        CHECK(tests[0].failures[0].messages.back().text.rfind("Hint: ", 0) == 0);
     }
 }
 

@@ -48,8 +48,10 @@ TEST_CASE("values that do not differ as they are shown are left out", "[verdict_
 
 TEST_CASE("what an earlier assertion expected is left out", "[verdict_text]") {
     TestCase test = failing("x", "1 == 2");
-    test.failures.front().messages = {"pixel 3", "expected 4, but yours gives 4", "row 2",
-                                      "expected 2, but yours gives 1"};
+    test.failures.front().messages = {{"pixel 3", "", ""},
+                                      {"expected 4, but yours gives 4", "4", ""},
+                                      {"row 2, as expected by all", "", ""},
+                                      {"expected 2, but yours gives 1", "2", ""}};
     const std::string text = told(Failing{{test}});
     CHECK(has(text, "pixel 3"));
     CHECK(has(text, "row 2"));
@@ -59,16 +61,27 @@ TEST_CASE("what an earlier assertion expected is left out", "[verdict_text]") {
 
 TEST_CASE("values that a message has compared are not shown again", "[verdict_text]") {
     TestCase test = failing("x", "4503.5 <= 4");
-    const auto shows_values = [&](const std::string& message) {
-        test.failures.front().messages = {message};
+    const auto shows_values = [&](const std::string& expected, const std::string& actual) {
+        test.failures.front().messages = {{"expected 1, actual 2", expected, actual}};
         return has(told(Failing{{test}}), "checked: CHECK( a == b )");
     };
-    CHECK_FALSE(shows_values("length: expected 7, actual 3.6.\nHint: use all three"));
-    CHECK_FALSE(shows_values("expected no hit, actual t = 4"));
-    // What was compared is something else, or its digits are too few.
-    CHECK(shows_values("expected the point (1, 4, 3), actual (1, 4, 3).\nHint: normalize"));
-    CHECK(shows_values("expected 2, but yours gives 3"));
-    CHECK(shows_values("row 2"));
+    CHECK_FALSE(shows_values("7", "3.6"));
+    CHECK_FALSE(shows_values("no hit", "t = 4"));
+    // What was compared is something else, or its digits are too few; or the words alone say so.
+    CHECK(shows_values("the point (1, 4, 3)", "(1, 4, 3)"));
+    CHECK(shows_values("2", ""));
+    CHECK(shows_values("", ""));
+}
+
+TEST_CASE("what helps only if the code crashes is told only then", "[verdict_text]") {
+    TestCase test = failing("x", "1 == 2");
+    test.failures.front().messages = {{"Hint, if this crashes: return", "", "", true},
+                                      {"a leaf, if this crashes", "", ""}};
+    const std::string fails = told(Failing{{test}});
+    CHECK_FALSE(has(fails, "return"));
+    CHECK(has(fails, "a leaf"));
+    test.crash = "SIGSEGV";
+    CHECK(has(told(Crashed{{test}}), "Hint, if this crashes: return"));
 }
 
 TEST_CASE("an exercise that is begun says what comes next", "[verdict_text]") {

@@ -11,7 +11,26 @@
 namespace checkpoint {
 // How many passes through the test case that runs have begun without coming to its end.
 extern int unfinished_passes;
+
+// What a message tells the companion beside its text: the expected and the actual value stand each
+// behind its mark, up to `end_mark` or the end of the line. A terminal does not show the marks.
+inline constexpr char expected_mark = '\x1c', actual_mark = '\x1d', end_mark = '\x1e',
+                      crash_mark = '\x1f';
 }  // namespace checkpoint
+
+// These stand before the expected and the actual value in a message. If both are there and differ,
+// the values of the assertion need not be shown. If several messages have an expected value, only
+// the last one counts, because the others belong to earlier assertions.
+#define EXPECTED \
+    "\x1e"       \
+    "expected \x1c"
+#define ACTUAL \
+    "\x1e"     \
+    "actual \x1d"
+// Begins a message that helps only if the code crashes.
+#define IF_IT_CRASHES \
+    "\x1f"            \
+    "Hint, if this crashes: "
 
 // A test case knows whether it came to its end. Otherwise code that throws what Catch2 itself
 // throws would end it, and nothing would have failed.

@@ -67,11 +67,11 @@ inline std::string text(const ExactVec3& v) {
 
 // A line of a failing checkpoint's message that is put together only when it is needed: what was
 // computed, what was expected, what that suggests.
-#define HINT(expected, computed, suggestion)                                                    \
-    INFO("expected " << checkpoint::text(expected) << ", actual " << checkpoint::text(computed) \
-                     << ".\nHint: " << (suggestion))
+#define HINT(expected, computed, suggestion)                                                 \
+    INFO(EXPECTED << checkpoint::text(expected) << ", " ACTUAL << checkpoint::text(computed) \
+                  << ".\nHint: " << (suggestion))
 
 // The same for the next assertion alone, which may stand after the block that this stands in.
-#define UNSCOPED_HINT(expected, computed, suggestion)                      \
-    UNSCOPED_INFO("expected " << checkpoint::text(expected) << ", actual " \
-                              << checkpoint::text(computed) << ".\nHint: " << (suggestion))
+#define UNSCOPED_HINT(expected, computed, suggestion)                   \
+    UNSCOPED_INFO(EXPECTED << checkpoint::text(expected) << ", " ACTUAL \
+                           << checkpoint::text(computed) << ".\nHint: " << (suggestion))

@@ -91,13 +91,36 @@ std::string missing_exercise() {
     }
 }
 
+// A message without the marks of catch.hpp, and what these mark.
+json fields_of(const std::string& message) {
+    std::string text, expected, actual, rest, *field = &rest;
+    bool is_for_crash = false;
+    for (const char c : message) {
+        if (c == checkpoint::end_mark || c == '\n') field = &rest;
+        if (c == checkpoint::expected_mark) {
+            field = &expected;
+        } else if (c == checkpoint::actual_mark) {
+            field = &actual;
+        } else if (c == checkpoint::crash_mark) {
+            is_for_crash = true;
+        } else if (c != checkpoint::end_mark) {
+            text += c;
+            *field += c;
+        }
+    }
+    return {{"text", text},
+            {"expected", expected},
+            {"actual", actual},
+            {"if_it_crashes", is_for_crash}};
+}
+
 json failure(const Catch::AssertionStats& stats) {
     using Catch::ResultWas;
     const Catch::AssertionResult& result = stats.assertionResult;
     json messages = json::array();
     for (const Catch::MessageInfo& info : stats.infoMessages)
         if (info.type == ResultWas::Info || info.type == ResultWas::ExplicitFailure)
-            messages.push_back(info.message);
+            messages.push_back(fields_of(info.message));
     json event{{"event", "failed"}, {"messages", messages}};
     if (result.hasExpression()) {
         event["macro"] = std::string{result.getTestMacroName()};
@@ -169,7 +192,9 @@ class EventReporter : public Catch::StreamingReporterBase {
         if (passed && (assertions.total() == 0 || checkpoint::unfinished_passes != 0)) {
             passed = false;
             write({{"event", "failed"},
-                   {"messages", {"Your code ended the test case before all of it was checked."}}});
+                   {"messages",
+                    json::array({fields_of(
+                        "Your code ended the test case before all of it was checked.")})}});
         }
         write({{"event", "ends"}, {"passed", passed}, {"output", stats.stdOut}});
     }

@@ -25,7 +25,7 @@ TEST_CASE("if no renderer has all that is needed the error says what was needed"
     CHECK_THROWS_AS(rt::narrowest({}, {}), std::invalid_argument);
     try {
         rt::narrowest({.fog = true}, std::vector{Effects{}, Effects{.glass = true}});
-        FAIL("expected an error");
+        FAIL(EXPECTED "an error");
     } catch (const std::invalid_argument& error) {
         CHECK(std::string{error.what()}.find("fog") != std::string::npos);
     }

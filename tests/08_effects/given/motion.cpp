@@ -34,7 +34,7 @@ TEST_CASE("a moving sphere covers what geometry says") {
                 {0, height, 0}, {0, 0, -1}, (static_cast<Real>(i) + Real(0.5)) / count};
             covered += tree.hit(ray, {}) ? 1 : 0;
         }
-        INFO("covered " << covered << " of " << count << " times, expected " << expected * count);
+        INFO("covered " << covered << " of " << count << " times, " EXPECTED << expected * count);
         // The two ends of the way may each be off by one moment.
         CHECK(std::abs(covered - expected * count) <= 2);
     }
