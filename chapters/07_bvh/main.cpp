@@ -18,8 +18,7 @@ using namespace bvh;
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The seed that was asked for changes only the noise: the scene stays the same.
-    Scene scene = make_scene(10'000, 1);
-    if (settings.show == "sphere") number_materials(scene.spheres);
+    const Scene scene = make_scene(10'000, 1);
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
     const SphereTree by_area = make_tree(scene.spheres, split_by_area);
     if (!settings.show.empty())

@@ -12,6 +12,7 @@ struct Hit {
     Real point_error = 0;  // the point lies off the surface by at most this, along the normal
     int material = 0;      // an index into the scene's materials
     int light = -1;        // chapter 08: which of the scene's lights was hit; below 0: none
+    int shape = -1;        // which shape of its list or tree was hit; the list or tree sets it
 };
 
 // The normal on the side that the ray came from.

@@ -1,29 +1,23 @@
 #pragma once
 #include <app/errors.hpp>
 #include <rt/make_camera.hpp>
-#include <rt/scene_sphere.hpp>
 #include <rt/show.hpp>
 #include <rt/shown_pixel.hpp>
 
 namespace rt {
 
-// Gives each sphere a material of its own, whose number then says which sphere was hit.
-inline void number_materials(std::vector<SceneSphere>& spheres) {
-    for (std::size_t i = 0; i < spheres.size(); ++i) spheres[i].material = static_cast<int>(i);
-}
-
 // Draws what --show asks for, in a program that follows paths (given): path(ray, world, random)
-// gives the light of one path. If --show asks for the sphere, each sphere must have a material of
-// its own.
+// gives the light of one path.
 template <class AnyCamera, class World, class Path>
 app::Picture show_world(const app::Settings& settings, app::Progress& progress,
                         const AnyCamera& camera, const World& world, const Path& path,
-                        Strategy strategy = app::one_row_after_another) {
+                        Strategy strategy = app::one_row_after_another,
+                        SphereNumber number = &Hit::shape) {
     const std::string& word = settings.show;
     if (word == "samples" && settings.spp == 1)
         throw app::UsageError("--show samples compares the samples of a pixel: --spp 2 or more");
     const auto compute = [&](int x, int y) {
-        return shown_pixel(word, camera, world, path, settings.spp, *settings.seed, x, y);
+        return shown_pixel(word, camera, world, path, settings.spp, *settings.seed, x, y, number);
     };
     return app::show(settings, progress, compute, strategy);
 }

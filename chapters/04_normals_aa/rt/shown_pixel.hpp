@@ -25,14 +25,19 @@ struct HitCounter {
     }
 };
 
+// Which of a hit's numbers says which sphere was hit: in a world of several lists or trees, its
+// material can, if each sphere has a material of its own.
+using SphereNumber = int Hit::*;
+
 // What a word of --show tells about a ray: its direction, or what it meets first.
 template <class AnyRay, class World>
-Shown show_hit(const std::string& word, const AnyRay& ray, const World& world) {
+Shown show_hit(const std::string& word, const AnyRay& ray, const World& world,
+               SphereNumber number = &Hit::shape) {
     if (word == "direction") return ray.direction;
     const std::optional<Hit> hit = world.hit(ray, Interval{0, infinity});
     if (!hit) return {};
     if (word == "normal") return hit->normal;
-    if (word == "sphere") return hit->material;
+    if (word == "sphere") return (*hit).*number;
     return hit->t;
 }
 
@@ -46,13 +51,15 @@ inline Real deviation_of(const std::vector<Real>& numbers) {
 }
 
 // What a word of --show tells about a pixel (given): path(ray, world, random) gives the light of
-// one path. If the word is "sphere", each sphere must have a material of its own.
+// one path.
 template <class AnyCamera, class World, class Path>
 Shown shown_pixel(const std::string& word, const AnyCamera& camera, const World& world,
-                  const Path& path, int samples, std::uint64_t seed, int x, int y) {
+                  const Path& path, int samples, std::uint64_t seed, int x, int y,
+                  SphereNumber number = &Hit::shape) {
     Rng random = pixel_rng(seed, x, y);
     if (word != "bounces" && word != "samples")
-        return show_hit(word, make_ray(camera, x, y, {Real(0.5), Real(0.5)}, random), world);
+        return show_hit(word, make_ray(camera, x, y, {Real(0.5), Real(0.5)}, random), world,
+                        number);
     int hits = 0;
     std::vector<Real> lights;
     pixel_average(samples, random, [&](Vec2 offset) {

@@ -26,7 +26,9 @@ struct SphereList {
         const Ray ray{any_ray.origin, any_ray.direction};
         const auto nearest = nearest_sphere(spheres, ray, within);
         if (!nearest) return {};
-        return surface_hit(spheres[nearest->number], ray, nearest->t);
+        Hit hit = surface_hit(spheres[nearest->number], ray, nearest->t);
+        hit.shape = static_cast<int>(nearest->number);
+        return hit;
     }
 };
 

@@ -72,7 +72,9 @@ using Search = SearchOf<SceneSphere>;
 template <class AnySearch>
 std::optional<Hit> hit_of(const AnySearch& search) {
     if (search.nearest < 0) return {};
-    return surface_hit(search.shape(search.nearest), search.ray, search.within.max);
+    Hit hit = surface_hit(search.shape(search.nearest), search.ray, search.within.max);
+    hit.shape = search.nearest;
+    return hit;
 }
 
 }  // namespace rt

@@ -25,11 +25,9 @@ app::Picture show(const std::string& word, int spp) {
     settings.seed = 1;
     settings.view = View{{0, 0, 100}, {0, 0, 0}, {0, 1, 0}, radians(Real(2.3))};
     settings.show = word;
-    SphereList world = two_spheres();
-    number_materials(world.spheres);
-    const MaterialList<Lambertian> materials{{{{1, 1, 1}}, {{1, 1, 1}}}};
+    const MaterialList<Lambertian> materials{{{{1, 1, 1}}}};
     app::Progress progress{false};
-    return show_paths(settings, progress, world, materials, UniformSky{}, SkyEnding{});
+    return show_paths(settings, progress, two_spheres(), materials, UniformSky{}, SkyEnding{});
 }
 
 }  // namespace
@@ -39,9 +37,8 @@ TEST_CASE("a ray is shown by its direction, or by its hit", "[show]") {
     const Ray at_second{{2, 0, 5}, {0, 0, -1}}, past{{0, 0, 5}, {0, 0, -1}};
     CHECK(std::get<Vec3>(show_hit("normal", at_second, world)) == Vec3{0, 0, 1});
     CHECK(std::get<Real>(show_hit("distance", at_second, world)) == 4);
-    std::vector<SceneSphere> numbered = world.spheres;
-    number_materials(numbered);
-    CHECK(std::get<int>(show_hit("sphere", at_second, SphereList{numbered})) == 1);
+    CHECK(std::get<int>(show_hit("sphere", at_second, world)) == 1);
+    CHECK(std::get<int>(show_hit("sphere", at_second, world, &Hit::material)) == 0);
     CHECK(show_hit("distance", past, world) == Shown{});
     CHECK(std::get<Vec3>(show_hit("direction", past, world)) == Vec3{0, 0, -1});
 }

@@ -103,6 +103,28 @@ TEST_CASE("rays along an axis as nearly as numbers can", "[given][rays]") {
     CHECK(wrong == 0);
 }
 
+TEST_CASE("a hit says which sphere of its structure it is", "[given]") {
+    const Spheres spheres = random_spheres(100);
+    const All all{spheres};
+    const rt::SphereList list{spheres};
+    rt::Rng rng{76, 6};
+    int hits = 0;
+    for (int i = 0; i < 500; ++i) {
+        const Ray ray = any_ray(spheres, rng, i);
+        const int expected = linear(spheres, ray, {}).sphere;
+        const auto check = [&](const auto& world) {
+            const std::optional<rt::Hit> hit = world.hit(ray, Interval{});
+            REQUIRE((hit ? hit->shape : -1) == expected);
+        };
+        check(list);
+        check(all.sorted);
+        check(all.flat);
+        check(all.wide_float);
+        hits += expected > 0;
+    }
+    CHECK(hits > 100);
+}
+
 TEST_CASE("a ray along an axis visits as few boxes as its neighbors", "[given][rays]") {
     Spheres spheres = random_spheres(10'000);
     for (SceneSphere& s : spheres) s.shape.radius /= 20;
@@ -201,8 +223,8 @@ TEST_CASE("a wide tree is searched as fast as if all its nodes were split exactl
                 exact_tests += count_tests(exact);
                 tests += count_tests(tree);
             }
-            INFO(spheres.size() << " spheres: " << tests << " tests, expected at most 1.04 times "
-                                << exact_tests);
+            INFO(spheres.size() << " spheres: " << tests
+                                << " tests, " EXPECTED "at most 1.04 times " << exact_tests);
             CHECK(static_cast<double>(tests) <= 1.04 * static_cast<double>(exact_tests));
         }
     }

@@ -16,7 +16,8 @@ app::Picture show_ready(const Scene& scene, const app::Settings& settings,
         return lit_path_radiance(ray, world, scene.materials, scene.sky, scene.lights, scene.fog,
                                  SkyEnding{}, settings.depth, random);
     };
-    return show_world(settings, progress, scene.camera, scene.world, path, render_tiles);
+    return show_world(settings, progress, scene.camera, scene.world, path, render_tiles,
+                      &Hit::material);
 }
 
 // Prepares the camera for --show (given): unless bounces or samples are asked for, the camera
