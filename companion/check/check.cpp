@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/check/check.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/parallel.hpp>

@@ -3,6 +3,7 @@
 #include <app/platform.hpp>
 #include <chrono>
 #include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/build/turn.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/check/prepare.hpp>

@@ -2,6 +2,7 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/build/turn.hpp>
 #include <companion/check/passing_chapters.hpp>

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/dev/new_exercise.hpp>

@@ -1,12 +1,12 @@
 #include <app/errors.hpp>
 #include <atomic>
+#include <companion/build/diagnostics.hpp>
 #include <companion/own/own_program.hpp>
 #include <companion/own/standing.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/terminal.hpp>
 #include <fstream>
-#include <sstream>
 
 namespace companion {
 namespace {
@@ -28,19 +28,14 @@ std::string name_of_copy(const fs::path& folder) {
     return "own";
 }
 
-// The first error of a compiler or linker, in one line.
-std::string first_error_of(const std::string& output) {
+// The first error of a compiler or linker in the folder, in one line.
+std::string first_error_in(const fs::path& folder, const std::string& output) {
     if (output.find("undefined reference to `main'") != std::string::npos ||
         output.find("undefined reference to `WinMain") != std::string::npos ||
         output.find("_main") != std::string::npos)
         return "there is no main() yet; TASK.md says what to write";
-    std::istringstream lines{output};
-    std::string first;
-    for (std::string line; std::getline(lines, line);) {
-        if (line.find("error") != std::string::npos) return line;
-        if (first.empty()) first = line;
-    }
-    return first;
+    const std::string error = first_error({folder, folder}, output);
+    return first_line(error.empty() ? output : error);
 }
 
 }  // namespace
@@ -62,10 +57,9 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
                                       .timeout = most_compiling,
                                       .most_memory = memory_of_compiler()});
     if (!built.ok())
-        throw app::Failure("build.sh: " + how_it_ended(built) +
-                           (built.output.empty()
-                                ? ""
-                                : ": " + printable(first_error_of(built.output), most_said)));
+        throw app::Failure(
+            "build.sh: " + how_it_ended(built) +
+            (built.output.empty() ? "" : ": " + first_error_in(work_ / "copy", built.output)));
     if (!fs::exists(program_))
         throw app::Failure("build.sh ran but did not make a program named own");
 }

@@ -1,6 +1,6 @@
 #include <app/errors.hpp>
 #include <app/files.hpp>
-#include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/compiler_words.hpp>
 #include <companion/own/own_program.hpp>

@@ -1,4 +1,4 @@
-#include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/compiler_words.hpp>
 #include <companion/system/files.hpp>
@@ -27,6 +27,13 @@ TEST_CASE("the first error is that of a compiler, with its source", "[build]") {
           "the linker says: undefined reference to `f'");
     CHECK(first_error(here, "Undefined symbols for architecture arm64:\n") ==
           "the linker says: Undefined symbols for architecture arm64:");
+    // The compiler's last line says only that the linker failed.
+    CHECK(
+        first_error(here,
+                    "t.cpp:(.text+0x1): undefined reference to `f'\ncollect2: error: ld returned 1 "
+                    "exit status\n") == "the linker says: undefined reference to `f'");
+    const std::string killed = "g++: fatal error: Killed signal terminated program cc1plus";
+    CHECK(first_error(here, killed + '\n') == killed);
     const std::string full = "cc1plus: out of memory allocating 2147483664 bytes";
     CHECK(first_error(here, full + '\n') == full);
 }
@@ -43,6 +50,24 @@ TEST_CASE("an error in the learner's file goes before others", "[build]") {
     CHECK(first_error(here, "/c/t.hpp:1:1: error: other\n" + from + elsewhere, mine) ==
           "/usr/include/v.h:9:1: error: elsewhere\n    9 | v\n"
           "  which came from exercises/01_x/rt/a.hpp:7");
+    // clang++ tells in notes how it came there.
+    CHECK(first_error(here,
+                      elsewhere +
+                          "/usr/include/w.h:3:2: note: in instantiation of function 'g<C>'\n  g\n"
+                          "/c/exercises/01_x/rt/a.hpp:7:2: note: in instantiation of function "
+                          "'sort<C>' requested here\n  std::sort(c);\n",
+                      mine) ==
+          "/usr/include/v.h:9:1: error: elsewhere\n    9 | v\n"
+          "  which came from exercises/01_x/rt/a.hpp:7");
+    // Source and files in which a header is included may have the same words.
+    CHECK(
+        first_error(here,
+                    "In file included from /c/tests/t.cpp:1,\n                 from /c/u.cpp:2:\n" +
+                        there.substr(0, there.find('\n')) +
+                        "\n    3 | int a; // far from /c/exercises/01_x/rt/a.hpp:9: error: b\n",
+                    mine) ==
+        "exercises/01_x/rt/a.hpp:3:5: error: mine\n"
+        "    3 | int a; // far from exercises/01_x/rt/a.hpp:9: error: b");
     // A brace that is never closed: what follows makes no sense, and the last note says so.
     CHECK(first_error(here,
                       elsewhere + "/c/tests/t.cpp:99:1: error: expected '}' at end of input\n" +

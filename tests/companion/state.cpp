@@ -1,5 +1,5 @@
 #include <app/errors.hpp>
-#include <companion/build/build.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/model/state.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/terminal.hpp>

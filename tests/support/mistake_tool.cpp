@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
+#include <companion/build/diagnostics.hpp>
 #include <companion/build/remake.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/check/likely.hpp>
