@@ -120,6 +120,33 @@ void judge_seed(const Trial& trial, const OwnScene& scene) {
         });
 }
 
+// How the program is called, and what it prints.
+void judge_call(const Trial& trial, const OwnScene& scene) {
+    trial.line(
+        {false, "rung 3: the options before the files", "", "the same bytes",
+         "Options begin with --; of the other words, the first is the scene and the second the "
+         "picture, wherever they stand."},
+        [&](JudgedLine& line) {
+            line.looked = {scene.text, scene.mesh, {"--seed", "2"}, {}};
+            const Options options{"--seed", "2"};
+            line.passed =
+                trial.own.picture(scene.text, options, {}, {.options_first = true}).bytes ==
+                trial.own.picture(scene.text, options).bytes;
+            line.actual = line.passed ? "the same bytes" : "different bytes";
+        });
+    trial.line({false, "rung 3: standard error", "", "nothing",
+                "Write what is no error to std::cout, or to no stream at all."},
+               [&](JudgedLine& line) {
+                   line.looked = {scene.text, scene.mesh, {}, {}};
+                   const std::string said =
+                       trial.own.picture(scene.text, {}, {}, {.output = Output::errors_only})
+                           .result.output;
+                   line.passed = said.empty();
+                   line.actual =
+                       said.empty() ? "nothing" : "the program prints: " + printable(said, 200);
+               });
+}
+
 // What a sanitizer reports about a run, and where; empty if it is silent.
 std::string report_of(const Result& result, const fs::path& folder) {
     if (result.ok() && result.output.empty()) return "";
@@ -154,17 +181,24 @@ void judge_sanitized(const Trial& trial) {
                    });
 }
 
-// The program must print one line that says what is wrong, and must not crash.
-void look_at_refusal(const Result& result, JudgedLine& line) {
+// The program must print one line that says what is wrong, on standard error, and must not crash.
+// `call` calls it, and captures all that it prints or only what is on standard error.
+void look_at_refusal(const std::function<Result(Output)>& call, JudgedLine& line) {
+    const Result result = call(Output::captured);
     const auto lines = std::count(result.output.begin(), result.output.end(), '\n');
     line.passed = result.exit_code > 0 && !result.timed_out && result.signal == 0 && lines == 1 &&
                   result.output.size() > 1;
     line.actual = how_it_ended(result) + ", " + rt::counted(lines, "line") +
                   (lines == 1 ? ": " + printable(result.output, 300) : "");
     if (line.actual.back() == '\n') line.actual.pop_back();
+    if (line.passed && call(Output::errors_only).output.empty()) {
+        line.passed = false;
+        line.actual += ", but not on standard error";
+    }
 }
 
-const char* const refusal = "one line that says what is wrong, and an exit code other than 0";
+const char* const refusal =
+    "one line on standard error that says what is wrong, and an exit code other than 0";
 
 void judge_refusals(const Trial& trial, const std::string& part,
                     const std::vector<OwnScene>& scenes) {
@@ -172,15 +206,41 @@ void judge_refusals(const Trial& trial, const std::string& part,
         trial.line({false, part + ": " + scene.name, "", refusal, scene.suggestion},
                    [&](JudgedLine& line) {
                        line.looked = {scene.text, scene.mesh, {}, {}};
-                       look_at_refusal(trial.own.draw(scene.text, {}, scene.mesh).result, line);
+                       look_at_refusal(
+                           [&](Output output) {
+                               return trial.own.draw(scene.text, {}, scene.mesh, {.output = output})
+                                   .result;
+                           },
+                           line);
                    });
+}
+
+// What the program must refuse in each of these lines; the first that it takes is named.
+void judge_limits(const Trial& trial) {
+    for (const Limits& limits : broken_limits())
+        trial.line({false, "broken: " + limits.name, "", refusal, ""}, [&](JudgedLine& line) {
+            for (const std::string& text : limits.scenes) {
+                line.looked = {text, {}, {}, {}};
+                look_at_refusal(
+                    [&](Output output) {
+                        return trial.own.draw(text, {}, {}, {.output = output}).result;
+                    },
+                    line);
+                if (line.passed) continue;
+                line.actual = '"' + text.substr(0, text.find('\n')) + "\": " + line.actual;
+                return;
+            }
+        });
 }
 
 void judge_broken(const Trial& trial) {
     judge_refusals(trial, "broken", broken_scenes());
+    judge_limits(trial);
     for (const BrokenCall& call : broken_calls())
-        trial.line({false, "broken: " + call.name, "", refusal, ""},
-                   [&](JudgedLine& line) { look_at_refusal(trial.own.call(call.words), line); });
+        trial.line({false, "broken: " + call.name, "", refusal, ""}, [&](JudgedLine& line) {
+            look_at_refusal([&](Output output) { return trial.own.call(call.words, output); },
+                            line);
+        });
 }
 
 // No ray may slip between triangles that share an edge.
@@ -209,7 +269,10 @@ void judge_edges(const Trial& trial) {
 void judge_part(const Trial& trial, const std::string& part) {
     for (const Rung& rung : own_rungs(trial.request.seed)) {
         if (part != "rung" + std::to_string(rung.number)) continue;
-        if (rung.number == 3) judge_seed(trial, rung.scenes.front());
+        if (rung.number == 3) {
+            judge_seed(trial, rung.scenes.front());
+            judge_call(trial, rung.scenes.front());
+        }
         judge_pictures(trial, "rung " + std::to_string(rung.number), rung.scenes);
         if (rung.number == 8) judge_cores(trial);
         if (rung.number == 9) judge_tree(trial);

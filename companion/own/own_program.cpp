@@ -25,6 +25,11 @@ std::string name_of_copy(const fs::path& folder) {
     if (!fs::exists(folder / "build.sh"))
         throw app::Failure("there is no build.sh in " + folder.string() +
                            "; ./course own new FOLDER makes a folder that has one");
+    if (read_file(folder / "build.sh").find("\r\n") != std::string::npos)
+        throw app::Failure(
+            "build.sh has the line ends of Windows, which sh takes for parts of words: save it "
+            "with "
+            "the line ends LF");
     return "own";
 }
 
@@ -67,12 +72,13 @@ OwnProgram::OwnProgram(const fs::path& folder, const std::vector<std::string>& o
 OwnProgram::OwnProgram(Existing, const fs::path& program)
     : scratch_{"own"}, work_{scratch_.path()}, program_{fs::absolute(program)} {}
 
-Result OwnProgram::call(const std::vector<std::string>& words) const {
+Result OwnProgram::call(const std::vector<std::string>& words, Output output) const {
     std::vector<std::string> command = before;
     command.push_back(program_.string());
     command.insert(command.end(), words.begin(), words.end());
     const Result result = run_process({.command = command,
                                        .folder = work_,
+                                       .output = output,
                                        .may_start_others = may_start_others,
                                        .timeout = patience,
                                        .most_file = most_picture,
@@ -82,8 +88,8 @@ Result OwnProgram::call(const std::vector<std::string>& words) const {
 }
 
 OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
-                                   const std::vector<std::string>& options,
-                                   const std::string& mesh) const {
+                                   const std::vector<std::string>& options, const std::string& mesh,
+                                   const Call& how) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     // The names are short and relative: on Windows, a program may not be able to read the letters
@@ -94,8 +100,8 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
     std::ofstream{folder / "scene.txt", std::ios::binary} << scene;
     if (!mesh.empty()) std::ofstream{folder / "shape.obj", std::ios::binary} << mesh;
     std::vector<std::string> words{number + "/scene.txt", number + ".ppm"};
-    words.insert(words.end(), options.begin(), options.end());
-    Drawn drawn{call(words), {}, {}};
+    words.insert(how.options_first ? words.begin() : words.end(), options.begin(), options.end());
+    Drawn drawn{call(words, how.output), {}, {}};
     std::error_code ignored;
     fs::remove_all(folder, ignored);
     if (drawn.result.ok()) {
@@ -113,8 +119,8 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
 
 OwnProgram::Drawn OwnProgram::picture(const std::string& scene,
                                       const std::vector<std::string>& options,
-                                      const std::string& mesh) const {
-    Drawn drawn = draw(scene, options, mesh);
+                                      const std::string& mesh, const Call& how) const {
+    Drawn drawn = draw(scene, options, mesh, how);
     const std::string& said = drawn.result.output;
     if (!drawn.result.ok())
         throw app::Failure(program_.filename().string() + ": " + how_it_ended(drawn.result) +

@@ -19,6 +19,11 @@ bool is_left_out(const fs::path& file) {
            fs::file_size(file, gone) > most_in_file || gone;
 }
 
+bool is_source(const fs::path& file) {
+    static const std::set<fs::path> endings{".c", ".cc", ".cpp", ".cxx", ".h", ".hpp", ".sh"};
+    return fs::is_regular_file(file) && endings.count(file.extension());
+}
+
 }  // namespace
 
 std::vector<fs::path> own_sources(const fs::path& folder) {
@@ -34,9 +39,16 @@ std::vector<fs::path> own_sources(const fs::path& folder) {
         const std::string name = it->path().filename().string();
         const bool left_out = name[0] == '.' || (it->is_directory() && name == "build");
         if (left_out && it->is_directory()) it.disable_recursion_pending();
+        if (left_out && is_source(it->path()) &&
+            !fs::exists(it->path().parent_path() / name.substr(1)))
+            throw app::Failure(name + " is hidden, and hidden files are left out: name it " +
+                               name.substr(1));
         if (left_out || !it->is_regular_file() || is_left_out(it->path())) continue;
         const std::string text = read_file(it->path());
         bytes += text.size();
+        if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+            throw app::Failure(name +
+                               " is in UTF-16, which compilers do not read: save it as UTF-8");
         if (text.find('\0') == std::string::npos)
             sources.push_back(it->path().lexically_relative(folder));
     }

@@ -14,7 +14,8 @@ enum class Output {
     printable,     // the same, but on a terminal stdout is made printable, and cut off at 1 MB
     captured,      // into Result::output
     errors_shown,  // stdout captured, stderr shown
-    errors_hidden  // stdout captured, stderr dropped
+    errors_hidden,  // stdout captured, stderr dropped
+    errors_only     // stderr captured, stdout dropped
 };
 
 struct Run {

@@ -58,6 +58,16 @@ std::string dim(const std::string& text) {
     return colored("2", text);
 }
 
+// Whether a character here, in three bytes, makes a terminal write what follows from right to left:
+// U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069.
+static bool turns_text(const std::string& text, std::size_t at) {
+    const std::string two = text.substr(at, 2);
+    if (at + 2 >= text.size()) return false;
+    const auto last = static_cast<unsigned char>(text[at + 2]);
+    if (two == "\xe2\x80") return last == 0x8e || last == 0x8f || (last >= 0xaa && last <= 0xae);
+    return two == "\xe2\x81" && last >= 0xa6 && last <= 0xa9;
+}
+
 std::string printable(const std::string& text, std::size_t most) {
     std::string kept;
     for (std::size_t i = 0; i < text.size(); ++i) {
@@ -74,6 +84,12 @@ std::string printable(const std::string& text, std::size_t most) {
             ++i;
         } else if (byte(i) == 0xc2 && byte(i + 1) >= 0x80 && byte(i + 1) < 0xa0) {
             ++i;  // skip Unicode's second set of control characters
+        } else if (turns_text(text, i)) {
+            char name[8];
+            std::snprintf(name, sizeof name, "\\u%04x",
+                          (byte(i) & 15u) << 12 | (byte(i + 1) & 63u) << 6 | (byte(i + 2) & 63u));
+            kept += name;
+            i += 2;
         } else if (text[i] == '\n' || text[i] == '\t' || (byte(i) >= 0x20 && byte(i) != 0x7f)) {
             kept += text[i];
         }

@@ -23,8 +23,7 @@ fs::path our_program() {
 
 // The same scene in a picture of a few pixels.
 std::string small(const std::string& scene) {
-    const auto at = scene.find("picture ");
-    return scene.substr(0, at) + "picture 4 3 1 50" + scene.substr(scene.find('\n', at));
+    return scene + "picture 4 3 1 50\n";  // the last picture line counts
 }
 
 bool holds(const std::string& text, const std::string& part) {
@@ -65,6 +64,11 @@ TEST_CASE("our program refuses what is broken", "[own]") {
         INFO(scene.name);
         CHECK(ours.draw(scene.text, {}, scene.mesh).result.exit_code == 1);
     }
+    for (const Limits& limits : broken_limits())
+        for (const std::string& text : limits.scenes) {
+            INFO(text);
+            CHECK(ours.draw(text, {}).result.exit_code == 1);
+        }
     for (const BrokenCall& call : broken_calls()) {
         INFO(call.name);
         CHECK(ours.call(call.words).exit_code == 1);
@@ -95,6 +99,26 @@ TEST_CASE("the page on accuracy is read", "[own]") {
               .empty());
     CHECK(accuracy_choices(checkpoint::read_file(here.root / "solutions/09_own/accuracy.md"))
               .size() >= 2);
+}
+
+TEST_CASE("files that a compiler or a shell cannot read are named", "[own]") {
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& name, const std::string& text) {
+        write_file(folder / "build.sh", "true\n");
+        write_file(folder / name, text);
+        std::string why = "taken";
+        try {
+            const OwnProgram own{folder.path()};
+        } catch (const app::Failure& failure) {
+            why = failure.what();
+        }
+        fs::remove(folder / name);
+        return why;
+    };
+    CHECK(holds(refused("main.cpp", std::string{"\xff\xfei\0n\0t\0", 8}), "main.cpp is in UTF-16"));
+    CHECK(holds(refused(".main.cpp", "int main() {}\n"), ".main.cpp is hidden"));
+    CHECK(holds(refused("build.sh", "g++ main.cpp -o own\r\n"), "line ends of Windows"));
+    CHECK(holds(refused("main.cpp", "int main() {}\n"), "did not make a program"));
 }
 
 TEST_CASE("a verdict holds until the sources change", "[own]") {

@@ -27,6 +27,33 @@ TEST_CASE("what is not a .ppm is refused", "[picture]") {
     }
 }
 
+TEST_CASE("what is wrong with a .ppm is said with pixel and word", "[picture]") {
+    const auto said = [](const std::string& text) {
+        try {
+            companion::parse_ppm(text);
+        } catch (const app::Failure& failure) {
+            return std::string{failure.what()};
+        }
+        return std::string{"taken"};
+    };
+    const std::string header = "P3\n2 2\n255\n0 0 0 1 1 1 2 2 2 ";
+    CHECK(said(header + "3 -2147483648 3") ==
+          "pixel (1, 1) of the .ppm file: '-2147483648' is no whole number from 0 to 255: NaN, or "
+          "not clamped?");
+    for (const char* const word : {"nan", "256", "1.5", "done", "-1", "0x10"})
+        CHECK(said(header + "3 3 " + word).find('\'' + std::string{word} + '\'') !=
+              std::string::npos);
+    CHECK(said(header + "3 3") == "pixel (1, 1) of the .ppm file: the file ends before it");
+    CHECK(said(header + "3 3 3 4") == "the .ppm file goes on after its last pixel, with '4'");
+    CHECK(said(header + "3 3 3\ndone in 2 s\n") ==
+          "the .ppm file goes on after its last pixel, with 'done'");
+    CHECK(said(header + "3 3 3 # a comment\n\n") == "taken");
+    CHECK(said("P3\n2 two\n255\n") == "the .ppm file has no height from 1 to 65536, but 'two'");
+    CHECK(said("P6\n2 1\n255\n\x01\x02\x03\r\n\xff\x23").find("std::ios::binary") !=
+          std::string::npos);
+    CHECK(said("P6\n2 1\n255\n\x01\x02\x03\xff\x23").find("std::ios::binary") == std::string::npos);
+}
+
 TEST_CASE("a written image is read as its bytes", "[picture]") {
     const rt::Image image = rt::make_image(5, 4, [](int x, int y) {
         return rt::Color{x / rt::Real(4), y / rt::Real(3), rt::Real(0.5)};

@@ -345,13 +345,17 @@ Result run_process(const Run& run) {
     mine.value = ends[0];
     keepers.value = ends[1];
     for (const int end : ends) ::fcntl(end, F_SETFD, FD_CLOEXEC);
-    if (run.output == Output::errors_hidden)
+    if (run.output == Output::errors_hidden || run.output == Output::errors_only)
         nowhere.value = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
     std::vector<std::string> words = run.command;
     Start start{run, {}, run.folder.c_str(), into.value};
     for (std::string& word : words) start.command.push_back(word.data());
     start.command.push_back(nullptr);
     start.err = run.output == Output::captured ? into.value : nowhere.value;
+    if (run.output == Output::errors_only) {
+        start.out = nowhere.value;
+        start.err = into.value;
+    }
     start.events = events_into.value;
 
     std::fflush(nullptr);  // otherwise buffered output could come too late

@@ -372,9 +372,10 @@ Streams make_streams(const Run& run, bool is_shown) {
         streams.other_out = inherited(::GetStdHandle(STD_OUTPUT_HANDLE));
     else
         streams.out = make_pipe();
+    if (run.output == Output::errors_only) streams.other_out = nothing(GENERIC_WRITE);
     if (run.output == Output::errors_hidden)
         streams.other_err = nothing(GENERIC_WRITE);
-    else if (run.output != Output::captured)
+    else if (run.output != Output::captured && run.output != Output::errors_only)
         streams.other_err = inherited(::GetStdHandle(STD_ERROR_HANDLE));
     if (run.has_events) streams.events = make_pipe();
     return streams;

@@ -115,9 +115,10 @@ TEST_CASE("a refusal is one line and an exit code", "[own]") {
                              [](const JudgedLine& line) { return !line.passed; });
     };
     CHECK(fails("echo wrong >&2; exit 2") == 0);
-    for (const char* const script :
-         {"echo wrong; echo and more; exit 1", "exit 1", "echo wrong", "kill -ABRT $$"})
-        CHECK(fails(script) == static_cast<long>(broken_scenes().size() + broken_calls().size()));
+    for (const char* const script : {"echo wrong >&2; echo and more >&2; exit 1", "exit 1",
+                                     "echo wrong >&2", "kill -ABRT $$", "echo wrong; exit 1"})
+        CHECK(fails(script) == static_cast<long>(broken_scenes().size() + broken_limits().size() +
+                                                 broken_calls().size()));
 }
 
 TEST_CASE("accuracy asks for two choices and for the measured figures", "[own]") {

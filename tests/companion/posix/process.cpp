@@ -39,6 +39,9 @@ TEST_CASE("a process's output is captured in its order, errors too", "[process]"
         run_process({.command = {"sh", "-c", "echo one; echo shown by a test >&2"},
                      .output = Output::errors_shown});
     CHECK(only_out.output == "one\n");
+    CHECK(run_process({.command = {"sh", "-c", "echo one; echo two >&2; echo three"},
+                       .output = Output::errors_only})
+              .output == "two\n");
 }
 
 TEST_CASE("a lot of output arrives whole", "[process]") {

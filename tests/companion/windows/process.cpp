@@ -71,6 +71,7 @@ TEST_CASE("a process's output is captured in its order, errors too", "[process]"
     CHECK(odd({"both"}).output == "one\ntwo\nthree\n");
     CHECK(odd({"both"}, {.command = {}, .output = Output::errors_shown}).output == "one\nthree\n");
     CHECK(odd({"both"}, {.command = {}, .output = Output::errors_hidden}).output == "one\nthree\n");
+    CHECK(odd({"both"}, {.command = {}, .output = Output::errors_only}).output == "two\n");
 }
 
 TEST_CASE("a lot of output arrives whole, or is cut", "[process]") {
