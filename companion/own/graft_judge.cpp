@@ -58,8 +58,10 @@ void look_at_outlines(const Course& course, const GraftRequest& request,
                       const std::vector<std::string>& words, JudgedLine& line) {
     const fs::path file = course.build / ("tracer." + request.chapter.number() + ".ppm");
     line.looked.words = words;
-    const Picture mine = draw_by_tracer(course, request.program, words, file).picture,
-                  ours = draw_by_tracer(course, request.reference, words, file).picture;
+    const Picture mine =
+                      draw_by_tracer(course, request.program, words, file, course.patience).picture,
+                  ours = draw_by_tracer(course, request.reference, words, file, course.patience)
+                             .picture;
     line.looked.pictures = compare_still(mine, ours);
     if (mine.width != ours.width || mine.height != ours.height) {
         line.actual = std::to_string(mine.width) + " x " + std::to_string(mine.height) + " pixels";
@@ -76,6 +78,13 @@ void look_at_outlines(const Course& course, const GraftRequest& request,
     line.actual = line.passed ? "the same outlines" : text;
 }
 
+// "(102, 51, 204)"
+std::string bytes_at(const Picture& picture, int x, int y) {
+    const auto* const bytes = picture.bytes.data() + 3 * (static_cast<long>(y) * picture.width + x);
+    return '(' + std::to_string(bytes[0]) + ", " + std::to_string(bytes[1]) + ", " +
+           std::to_string(bytes[2]) + ')';
+}
+
 // Judges pictures without noise. A few pixels on outlines may differ, because they may be rounded
 // to the other side.
 void look_at_still(const OwnProgram& own, const OwnProgram& ours, const OwnScene& scene,
@@ -89,12 +98,21 @@ void look_at_still(const OwnProgram& own, const OwnProgram& ours, const OwnScene
         return;
     }
     long differing = 0;
+    int most = 0;
+    std::string where;
     for (int y = 0; y < mine.height; ++y)
-        for (int x = 0; x < mine.width; ++x) differing += difference(mine, x, y, wanted, x, y) > 2;
+        for (int x = 0; x < mine.width; ++x) {
+            const int here = difference(mine, x, y, wanted, x, y);
+            differing += here > 2;
+            if (here <= most) continue;
+            most = here;
+            where = "column " + std::to_string(x) + " of row " + std::to_string(y) + " is " +
+                    bytes_at(mine, x, y) + ", not " + bytes_at(wanted, x, y);
+        }
     line.passed = 500 * differing <= mine.pixels();
     line.actual = differing == 0 ? "the same picture"
                                  : std::to_string(differing) + " of " +
-                                       std::to_string(mine.pixels()) + " pixels differ";
+                                       std::to_string(mine.pixels()) + " pixels differ: " + where;
 }
 
 }  // namespace
@@ -159,6 +177,9 @@ void judge_graft(const Course& course, const GraftRequest& request,
                                              "(`Color color` there would be a second variable.) ") +
                              scene.suggestion},
                         [&](JudgedLine& line) { look_at_still(own, ours, scene, line); });
+        const OwnScene lit = lit_balls(request.seed);
+        judge({false, lit.name, "", "our picture", lit.suggestion},
+              [&](JudgedLine& line) { look_at_still(own, ours, lit, line); });
         return;
     }
     std::vector<std::string> parts;

@@ -165,6 +165,18 @@ std::string sparse(Any& any) {
     return scene.line("sphere 0 -101 0 100 # the ground").text();
 }
 
+// A file whose lines are each followed by another one of the same word.
+std::string replaced(Any& any) {
+    Writer scene;
+    scene.picture(32, 64, 1, 1).camera({5, 5, 5}, {0, 0, 1}, 80, 0.5, 3, {1, 0, 0});
+    sky(scene, any);
+    scene.picture().camera({any(-2, 2), any(1, 2), 5}, {0, 0.5, 0}, any(35, 50));
+    sky(scene, any);
+    scene.word("matte", {0, 0, 0});
+    matte(scene, any).sphere({0, -100, 0}, 100);
+    return on_ground(scene, any).text();
+}
+
 std::string many_mattes(Any& any) {
     Writer scene = begin(any);
     for (int i = 0; i < 12; ++i) {
@@ -430,7 +442,10 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
              "sphere the last material above it?"),
          scene("a file that leaves out most lines", sparse,
                "Do you use the defaults of TASK.md, skip comments, which begin with #, and ignore "
-               "empty lines?")});
+               "empty lines?"),
+         scene("lines that replace earlier ones", replaced,
+               "A second picture, camera or sky line takes the place of the first, with all of its "
+               "numbers.")});
     add("metal",
         {scene("a mirror", metals,
                "Is its material metal, and not matte? Is the direction d - 2 (d . n) n?", 0.0, 0.0),
@@ -476,6 +491,22 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
     return rungs;
 }
 
+OwnScene lit_balls(std::uint64_t seed) {
+    Any any{seed, 120};
+    Writer scene = begin(any);
+    // The light comes from (-2, 2, 1), so the smaller ball's shadow falls on the larger one.
+    const double x = any(0.1, 0.4), radius = any(0.25, 0.35);
+    matte(scene, any).sphere({x, 0.8, 0}, 0.8);
+    matte(scene, any).sphere({x - 1.3, 2 - radius, 0.65}, radius);
+    matte(scene, any).sphere({x + any(1.1, 1.3), 0.4, any(0.7, 0.9)}, 0.4);
+    return {"colored balls in the light", scene.text(),
+            "A sphere's own color is multiplied by (1 + dot(normal, to_light)) / 2, and in shadow "
+            "by 0.4, too. Does "
+            "the normal point away from the center? Does the ray to the light start at the point "
+            "that is hit, with "
+            "an interval from 0.001 on?"};
+}
+
 std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
     std::vector<OwnScene> scenes;
     const auto add = [&](const char* name, const std::string& text, const char* suggestion) {
@@ -490,6 +521,13 @@ std::vector<OwnScene> hard_scenes(std::uint64_t seed) {
         add("a ball seen from a hundred million radii away", scene.text(),
             "b * b - 4ac suffers from cancellation: compute the distance of the center from the "
             "ray's line first.");
+    }
+    {
+        Any any{seed, 108};
+        Writer scene;
+        matte(scene, any).sphere({any(-0.5, 0.5), 0, 0}, any(0.5, 0.8));
+        add("a file without a picture line", scene.text(),
+            "Without it, the picture has 400 x 225 pixels, 16 samples and depth 50.");
     }
     {
         Any any{seed, 102};
@@ -555,11 +593,30 @@ std::vector<OwnScene> broken_scenes() {
             {"nan for a number", fine + "sphere 0 0 0 nan\n", ""}};
 }
 
+std::vector<Limits> broken_limits() {
+    return {{"a picture outside its limits",
+             {"picture 10001 1 1 1\n", "picture 8 8.5 1 1\n", "picture 8 8 0 1\n",
+              "picture 8 8 1 0\n", "picture 8 8 1 -1\n"}},
+            {"a camera outside its limits",
+             {"camera 0 0 5 0 0 0 0 1 0 0 0 1\n", "camera 0 0 5 0 0 0 0 1 0 180 0 1\n",
+              "camera 0 0 5 0 0 0 0 1 0 40 -1 1\n", "camera 0 0 5 0 0 0 0 1 0 40 0 0\n",
+              "camera 0 0 5 0 0 0 0 0 2 40 0 1\n"}},
+            {"a material outside its limits",
+             {"glass 0\n", "glass -1.5\n", "metal 1 1 1 -0.5\n", "matte 0.5 -0.5 0.5\n",
+              "sky 1 1 1 1 2 1\n"}},
+            {"a number that is not decimal",
+             {"sphere 0 0 0 inf\n", "sphere 0 0 0 0x10\n", "sphere 0 0 infinity 1\n"}}};
+}
+
 std::vector<BrokenCall> broken_calls() {
     return {{"no words at all", {}},
             {"a missing scene file", {"not-there.txt", "out.ppm"}},
             {"a missing folder for the picture", {"/dev/null", "not-there/out.ppm"}},
-            {"a word for the number of threads", {"/dev/null", "out.ppm", "--threads", "many"}}};
+            {"a word for the number of threads", {"/dev/null", "out.ppm", "--threads", "many"}},
+            {"no threads", {"/dev/null", "out.ppm", "--threads", "0"}},
+            {"an option that there is not", {"/dev/null", "out.ppm", "--sed", "1"}},
+            {"an option without its number", {"/dev/null", "out.ppm", "--seed"}},
+            {"a third file", {"/dev/null", "out.ppm", "more.ppm"}}};
 }
 
 }  // namespace companion

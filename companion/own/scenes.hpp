@@ -25,6 +25,9 @@ struct Rung {
 // All ten rungs, in order. The tenth is optional.
 std::vector<Rung> own_rungs(std::uint64_t seed);
 
+// Balls in the light, some in another's shadow, for a tracer whose pictures have no noise.
+OwnScene lit_balls(std::uint64_t seed);
+
 // Scenes in which rounding errors show: far, tiny, huge, nested, and scaled by 1/1000 and 1000.
 std::vector<OwnScene> hard_scenes(std::uint64_t seed);
 
@@ -53,6 +56,13 @@ std::string accuracy_scene(std::uint64_t seed);
 
 // Files that are not scenes; each is named after what is wrong.
 std::vector<OwnScene> broken_scenes();
+
+// First lines that no scene may have; they are outside the limits of the task.
+struct Limits {
+    std::string name;
+    std::vector<std::string> scenes;
+};
+std::vector<Limits> broken_limits();
 
 // Arguments that make no sense to a program, which runs in an empty folder.
 struct BrokenCall {
