@@ -9,6 +9,12 @@
 namespace companion {
 namespace {
 
+std::vector<Exercise> exercises_up_to(const Course& course, const Chapter& last) {
+    std::vector<Exercise> all = exercises(course);
+    std::erase_if(all, [&](const Exercise& one) { return one.chapter.name > last.name; });
+    return all;
+}
+
 // The progress of each of these exercises, by its ID.
 std::map<std::string, Progress> checked(const Course& course,
                                         const std::vector<Exercise>& exercises) {
@@ -52,9 +58,7 @@ std::string ranges(const std::vector<std::string>& ids, const std::vector<std::s
 // was shipped would only stop the program.
 Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
                    const std::set<std::string>& except = {}) {
-    std::vector<Exercise> all;
-    for (Exercise& exercise : exercises(course))
-        if (exercise.chapter.name <= last.name) all.push_back(std::move(exercise));
+    const std::vector<Exercise> all = exercises_up_to(course, last);
     std::map<std::string, Progress> progress = checked(course, all);
     for (const std::string& id : except) progress[id] = Progress::to_write;
     const auto wrong = [&](const Exercise& exercise) {
@@ -135,6 +139,10 @@ std::string Yours::caption() const {
     if (others.empty()) return "Drawn by its author's code.";
     return "Drawn by its author's code for " + ranges(passing, others) +
            ", and by the course's for " + ranges(others, passing) + '.';
+}
+
+void check_what_changed(const Course& course, const Chapter& last) {
+    checked(course, exercises_up_to(course, last));
 }
 
 Yours put_yours_in_place(const Course& course, const Chapter& last) {

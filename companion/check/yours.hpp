@@ -31,6 +31,9 @@ struct Yours {
     std::string caption() const;
 };
 
+// Checks the exercises up to this chapter that have changed since their last check.
+void check_what_changed(const Course& course, const Chapter& last);
+
 // Checks the exercises up to this chapter that have changed since their last check, and fills
 // build/yours/rt with the files to use. Throws app::Failure if they cannot be written.
 Yours put_yours_in_place(const Course& course, const Chapter& last);

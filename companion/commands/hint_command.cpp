@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/exercise.hpp>
 #include <companion/model/hints.hpp>
 #include <companion/model/progress.hpp>
 #include <companion/model/state.hpp>
+#include <companion/own/tracer.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
 
@@ -24,24 +26,57 @@ std::string words_of(std::string hint) {
     return hint;
 }
 
+// Counts a hint, and returns the number of the one that is due, from 0 on; `most` if there are no
+// more.
+int due(const Course& course, const std::string& id, std::size_t most) {
+    int number = 0;
+    change_state(course, [&](State& state) {
+        int& shown = state.exercises[id].hints;
+        number = std::clamp(shown, 0, static_cast<int>(most));
+        shown = std::min(number + 1, static_cast<int>(most));
+    });
+    return number;
+}
+
+void print_hint(const std::string& title, int number, std::size_t most, const std::string& words) {
+    std::printf("%s\n%s\n",
+                bold(title + ", hint " + std::to_string(number + 1) + " of " + std::to_string(most))
+                    .c_str(),
+                words_of(words).c_str());
+}
+
+int hint_for_graft(const Course& course) {
+    const Chapter chapter = next_graft(course);
+    const std::string id = "graft " + chapter.number();
+    const std::vector<std::string> all = hints_of_graft(course, chapter);
+    const int number = due(course, id, all.size());
+    if (number < static_cast<int>(all.size()))
+        print_hint(id + ", " + chapter.graft->title, number, all.size(),
+                   all[static_cast<std::size_t>(number)]);
+    else
+        print(wrapped("There are no more hints for " + id + ": all of them are in " +
+                          chapter.hints.generic_string() + ". Read " +
+                          chapter.text.generic_string() +
+                          ", section Graft, again. Our answer is in " +
+                          course.relative(tracer_answer(course, chapter)) + '.',
+                      ""));
+    return app::done;
+}
+
 }  // namespace
 
 int hint(const Course& course, const Given& given) {
+    if (given.named == "tracer") return hint_for_graft(course);
     const Exercise exercise = find_exercise(course, *given.named);
     const std::vector<std::string> all = hints(course, exercise);
     if (all.empty())
         throw app::Failure("there are no hints for " + exercise.id + "; read " +
                            exercise.section());
-    int number = 0;
-    change_state(course, [&](State& state) {
-        int& shown = state.exercises[exercise.id].hints;
-        number = shown;
-        if (shown < static_cast<int>(all.size())) ++shown;
-    });
+    const int number = due(course, exercise.id, all.size());
     // A star's hints are not shown until the core passes.
     const bool stars =
         exercise.is_star() || passes(progress_of(course, read_state(course), exercise));
-    if (number < 0 || number >= static_cast<int>(all.size())) {
+    if (number >= static_cast<int>(all.size())) {
         for (const std::string& hint : all)
             if (const std::string star = parts_of(hint).star; stars && !star.empty())
                 std::printf("%s\n", words_of(star).c_str());
@@ -52,11 +87,8 @@ int hint(const Course& course, const Given& given) {
         return app::done;
     }
     const std::string& words = all[static_cast<std::size_t>(number)];
-    std::printf("%s\n%s\n",
-                bold(exercise.id + ' ' + exercise.title + ", hint " + std::to_string(number + 1) +
-                     " of " + std::to_string(all.size()))
-                    .c_str(),
-                words_of(stars ? words : parts_of(words).core).c_str());
+    print_hint(exercise.id + ' ' + exercise.title, number, all.size(),
+               stars ? words : parts_of(words).core);
     return app::done;
 }
 

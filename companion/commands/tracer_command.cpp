@@ -62,7 +62,8 @@ std::string ways_out(const Course& course, const Chapter& chapter) {
     for (const Chapter& earlier : grafts(course))
         if (earlier.name < chapter.name)
             again = "  ./course tracer --from " + earlier.number() + "  to do this graft again\n";
-    return "Stuck? Begin from our answer to a graft; your file is kept elsewhere:\n" + again +
+    return "Stuck? ./course hint tracer shows the next of three hints. Or begin from our answer to a "
+           "graft; your file is kept elsewhere:\n" + again +
            "  ./course tracer --from " + chapter.number() + "  to go on without doing this graft\n";
 }
 
@@ -125,29 +126,12 @@ int draw_false_colors(const Course& course, const std::string& word) {
     return app::done;
 }
 
-// The graft that is named, or else the next one. Until the exercises before that one pass, the
-// tracer is still what the last graft made of it.
 Chapter chosen(const Course& course, const Given& given) {
-    if (given.has("--graft")) {
-        const Chapter chapter = find_chapter(course, given.options.at("--graft"));
-        if (!chapter.graft)
-            throw app::UsageError("--graft: chapter " + chapter.number() + " has no graft");
-        return chapter;
-    }
-    const State state = read_state(course);
-    std::optional<Chapter> last;
-    bool is_ready = true;
-    for (const Step& step : route(course)) {
-        if (step.exercise) {
-            is_ready = is_ready && !is_open(course, state, step);
-        } else if (is_open(course, state, step)) {
-            return is_ready || !last ? step.chapter : *last;
-        } else {
-            last = step.chapter;
-            is_ready = true;
-        }
-    }
-    return *last;
+    if (!given.has("--graft")) return next_graft(course);
+    const Chapter chapter = find_chapter(course, given.options.at("--graft"));
+    if (!chapter.graft)
+        throw app::UsageError("--graft: chapter " + chapter.number() + " has no graft");
+    return chapter;
 }
 
 }  // namespace
@@ -156,6 +140,8 @@ int tracer(const Course& course, const Given& given) {
     const Turn turn{course};  // nothing else may disturb what is measured
     if (given.has("--from")) return begin_from(course, given.options.at("--from"));
     begin_tracer(course);
+    // Which graft is next depends on what passes now, so changed answers are checked first.
+    check_what_changed(course, grafts(course).back());
     const Chapter chapter = chosen(course, given);
     print(bold(given.has("--show") ? "Your scene, in false colors"
                                    : "Graft " + chapter.number() + ": " + chapter.graft->title) +

@@ -3,9 +3,10 @@
 #include <sstream>
 
 namespace companion {
+namespace {
 
-std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
-    const fs::path file = course.root / exercise.chapter.hints;
+// The ordered list below a heading whose first word is `heading`.
+std::vector<std::string> list_below(const fs::path& file, const std::string& heading) {
     std::vector<std::string> found;
     if (!fs::exists(file)) return found;
     std::istringstream text{read_text(file)};
@@ -13,7 +14,7 @@ std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
     for (std::string line; std::getline(text, line);) {
         if (line.rfind("## ", 0) == 0) {
             const auto end = line.find(' ', 3);
-            in_section = line.substr(3, end == std::string::npos ? end : end - 3) == exercise.id;
+            in_section = line.substr(3, end == std::string::npos ? end : end - 3) == heading;
             continue;
         }
         if (!in_section) continue;
@@ -31,6 +32,16 @@ std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
     for (std::string& hint : found)
         while (!hint.empty() && hint.back() == '\n') hint.pop_back();
     return found;
+}
+
+}  // namespace
+
+std::vector<std::string> hints(const Course& course, const Exercise& exercise) {
+    return list_below(course.root / exercise.chapter.hints, exercise.id);
+}
+
+std::vector<std::string> hints_of_graft(const Course& course, const Chapter& chapter) {
+    return list_below(course.root / chapter.hints, "graft");
 }
 
 HintParts parts_of(const std::string& hint) {

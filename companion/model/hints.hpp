@@ -6,6 +6,8 @@ namespace companion {
 // The hints of an exercise, from its chapter's file of hints: the ordered list below the heading
 // "## NN.k". None if the file or the heading is missing.
 std::vector<std::string> hints(const Course& course, const Exercise& exercise);
+// The same of a chapter's graft, below the heading "## graft".
+std::vector<std::string> hints_of_graft(const Course& course, const Chapter& chapter);
 
 // A hint in two parts: one for the core, and one for the stars, which starts at the first paragraph
 // that begins with ★. Either part may be empty.

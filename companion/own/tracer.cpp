@@ -3,12 +3,14 @@
 #include <companion/build/diagnostics.hpp>
 #include <companion/build/side_build.hpp>
 #include <companion/check/compiler_words.hpp>
+#include <companion/model/route.hpp>
 #include <companion/own/own_program.hpp>
 #include <companion/own/tracer.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/platform.hpp>
 #include <companion/system/process.hpp>
 #include <companion/system/terminal.hpp>
+#include <csignal>
 #include <cstdio>
 #include <regex>
 #include <sstream>
@@ -71,6 +73,23 @@ std::vector<Chapter> grafts(const Course& course) {
     return all;
 }
 
+Chapter next_graft(const Course& course) {
+    const State state = read_state(course);
+    std::optional<Chapter> last;
+    bool is_ready = true;
+    for (const Step& step : route(course)) {
+        if (step.exercise) {
+            is_ready = is_ready && !is_open(course, state, step);
+        } else if (is_open(course, state, step)) {
+            return is_ready || !last ? step.chapter : *last;
+        } else {
+            last = step.chapter;
+            is_ready = true;
+        }
+    }
+    return *last;
+}
+
 std::vector<std::string> tracer_command(const Course& course, const Chapter& last) {
     std::vector<std::string> words = compiler_words(course, last);
     words.insert(words.end(), {"-o", course.relative(tracer_program(course))});
@@ -117,16 +136,19 @@ std::vector<std::string> headers_of_tracer(const Course& course) {
 }
 
 Drawn draw_by_tracer(const Course& course, const fs::path& program,
-                     const std::vector<std::string>& words, const fs::path& picture) {
+                     const std::vector<std::string>& words, const fs::path& picture,
+                     double timeout) {
     std::error_code none;
     fs::remove(picture, none);
     std::vector<std::string> command{program.string()};
     command.insert(command.end(), words.begin(), words.end());
     const Result result = run_process({.command = command,
                                        .folder = course.root,
-                                       .passes_signals = true,
+                                       .passes_signals = timeout == 0,
+                                       .timeout = timeout,
                                        .most_file = most_picture,
                                        .most_output = most_picture});
+    if (result.passed_on == SIGTERM) std::raise(SIGTERM);  // Ctrl-C ends the picture alone
     const std::string name = program.filename().string();
     if (!result.ok())
         throw app::Failure(

@@ -17,6 +17,10 @@ fs::path tracer_answer(const Course& course, const Chapter& chapter);
 // Chapters up to this one that have a graft, in their order.
 std::vector<Chapter> grafts(const Course& course);
 
+// The next graft. Until the exercises before it pass, it is the last one, because the tracer is
+// still what that one made of it.
+Chapter next_graft(const Course& course);
+
 // The command that compiles a tracer with the headers of chapters up to this one; build/yours has
 // the headers of the exercises. Paths are relative to the course. The first word is the compiler's
 // name.
@@ -36,8 +40,10 @@ struct Drawn {
 };
 
 // The tracer's picture when it is called with these words: the file `picture` if the program makes
-// it, otherwise what it prints. Throws app::Failure if the program fails or draws nothing.
+// it, otherwise what it prints. Throws app::Failure if the program fails, draws nothing, or takes
+// more than `timeout` seconds. At 0 it may take as long as it likes, and Ctrl-C ends it alone.
 Drawn draw_by_tracer(const Course& course, const fs::path& program,
-                     const std::vector<std::string>& words, const fs::path& picture);
+                     const std::vector<std::string>& words, const fs::path& picture,
+                     double timeout = 0);
 
 }  // namespace companion

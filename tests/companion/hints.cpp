@@ -26,6 +26,14 @@ TEST_CASE("every exercise has three hints", "[hints]") {
     }
 }
 
+TEST_CASE("every graft has three hints", "[hints]") {
+    const Course here = this_course();
+    for (const Chapter& chapter : chapters(here)) {
+        INFO("chapter " << chapter.name);
+        CHECK(hints_of_graft(here, chapter).size() == (chapter.graft ? 3 : 0));
+    }
+}
+
 TEST_CASE("hints are the items of the exercise's own list", "[hints]") {
     const checkpoint::TemporaryFolder folder;
     checkpoint::write_file(folder / "docs/hints/01-x.md",
