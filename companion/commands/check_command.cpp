@@ -87,6 +87,17 @@ int check_sanitized(const Course& course, const Given& given) {
     return run.passed ? app::done : app::could_not;
 }
 
+// What comes next after these exercises, of which `open` is the first that is still to be written.
+std::string next_among(const Course& course, const std::vector<Exercise>& some,
+                       const Exercise& open) {
+    if (some.size() == 1) return next_step(course, open);
+    const bool is_one_chapter = std::all_of(some.begin(), some.end(), [&](const Exercise& one) {
+        return one.chapter.name == open.chapter.name;
+    });
+    return next_step(course, is_one_chapter ? next_in_chapter(course, open.chapter)
+                                            : next_on_route(course));
+}
+
 void print_summary(const std::vector<Checked>& all) {
     std::string chapter;
     for (const Checked& checked : all) {
@@ -122,8 +133,7 @@ int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool
     print_stars(course, all, every_star);
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
-        print('\n' + (some.size() == 1 ? next_step(course, shown->exercise)
-                                       : next_step(course, next_on_route(course))));
+        print('\n' + next_among(course, some, shown->exercise));
         return app::still_to_write;
     }
     print('\n' +
@@ -134,6 +144,7 @@ int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool
 }  // namespace
 
 int check(const Course& course, const Given& given) {
+    if (given.named == "tracer") return tracer(course, {});
     if (given.has("--sanitize")) return check_sanitized(course, given);
     const std::vector<Exercise> some = chosen(course, given.named);
     const int code = check_and_tell(course, some, given.has("--stars"));

@@ -79,42 +79,71 @@ Work work_of(const Course& course, const State& state, const Chapter& chapter,
     return result;
 }
 
+// A chapter's line, its exercises and its graft.
+void print_chapter(const Course& course, const State& state, const Chapter& chapter,
+                   const std::vector<Exercise>& all, const Work& part) {
+    std::printf("%s %s %d of %d, %s%s; %s\n", name_of(chapter).c_str(),
+                bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises,
+                chapter.core ? "" : "elective, ", hours(part.minutes).c_str(),
+                stars_of(part).c_str());
+    for (const Exercise& exercise : all) {
+        const Progress now = progress_of(course, state, exercise);
+        std::string more;
+        if (now == Progress::core)
+            more = ", " + stars_open(state.exercises.at(exercise.id).open_stars);
+        else if (exercise.is_star() && !passes(now))
+            more = ", all of it a star";  // so the chapter's count leaves it out
+        std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
+                    exercise.title.c_str(), text(now), more.c_str());
+    }
+    if (chapter.graft)
+        std::printf(
+            "  %s  graft %s\n",
+            marked(state.grafts.count(chapter.number()) ? Progress::done : Progress::to_write)
+                .c_str(),
+            chapter.graft->title.c_str());
+}
+
+// Chapter 09, whose steps another command judges.
+void print_own(const State& state, const Chapter& chapter) {
+    std::printf("%s %s %s, %s\n", name_of(chapter).c_str(),
+                bar(state.own.passed, std::max(1, state.own.lines), 10).c_str(),
+                standing_of(state.own).c_str(), hours(chapter.minutes).c_str());
+}
+
+// One chapter, and what comes next in it.
+int list_chapter(const Course& course, const Chapter& chapter) {
+    const State state = read_state(course);
+    if (!chapter.has_exercises()) {
+        print_own(state, chapter);
+        print('\n' + next_of_own(course));
+        return app::done;
+    }
+    const std::vector<Exercise> all = exercises(course, chapter);
+    print_chapter(course, state, chapter, all, work_of(course, state, chapter, all));
+    const std::optional<Step> next = next_in_chapter(course, chapter);
+    print('\n' +
+          (next ? next_step(course, next) : chapter_done(chapter, open_stars_of(course, chapter))));
+    if (next && next->exercise) prepare_in_background(course, {*next->exercise});
+    return app::done;
+}
+
 }  // namespace
 
-int list(const Course& course, const Given&) {
+int list(const Course& course, const Given& given) {
+    if (given.named) return list_chapter(course, find_chapter(course, *given.named));
     const State state = read_state(course);
     Work total, electives;
     for (const Chapter& chapter : every_chapter(course)) {
         if (!chapter.has_exercises()) {
-            std::printf("%s %s %s, %s\n", name_of(chapter).c_str(),
-                        bar(state.own.passed, std::max(1, state.own.lines), 10).c_str(),
-                        standing_of(state.own).c_str(), hours(chapter.minutes).c_str());
+            print_own(state, chapter);
             total.minutes += chapter.minutes;
             if (!own_passes(state.own)) total.minutes_left += chapter.minutes;
             continue;
         }
         const std::vector<Exercise> all = exercises(course, chapter);
         const Work part = work_of(course, state, chapter, all);
-        std::printf("%s %s %d of %d, %s%s; %s\n", name_of(chapter).c_str(),
-                    bar(part.done, part.exercises, 10).c_str(), part.done, part.exercises,
-                    chapter.core ? "" : "elective, ", hours(part.minutes).c_str(),
-                    stars_of(part).c_str());
-        for (const Exercise& exercise : all) {
-            const Progress now = progress_of(course, state, exercise);
-            std::string more;
-            if (now == Progress::core)
-                more = ", " + stars_open(state.exercises.at(exercise.id).open_stars);
-            else if (exercise.is_star() && !passes(now))
-                more = ", all of it a star";  // so the chapter's count leaves it out
-            std::printf("  %s%s  %-38s %s%s\n", marked(now).c_str(), exercise.id.c_str(),
-                        exercise.title.c_str(), text(now), more.c_str());
-        }
-        if (chapter.graft)
-            std::printf(
-                "  %s  graft %s\n",
-                marked(state.grafts.count(chapter.number()) ? Progress::done : Progress::to_write)
-                    .c_str(),
-                chapter.graft->title.c_str());
+        print_chapter(course, state, chapter, all, part);
         if (!chapter.core) {
             electives.done += part.done;
             electives.exercises += part.exercises;
@@ -136,6 +165,11 @@ int list(const Course& course, const Given&) {
         std::printf("Beyond the course: %d of %d exercises in electives\n", electives.done,
                     electives.exercises);
     std::printf("\n%s", next_step(course, next_on_route(course)).c_str());
+    if (total.done + electives.done == 0)
+        std::printf("%s", dim("You may begin at any chapter, such as with ./course 07: in checks "
+                              "and pictures, the "
+                              "solutions stand in for what you skip.\n")
+                              .c_str());
     prepare_in_background(course, next_exercises(course));
     return app::done;
 }

@@ -22,18 +22,22 @@ std::string electives_left(const Course& course) {
 
 // The next step when every exercise passes: the chapter of rungs, then the certificate.
 std::string step_after_the_exercises(const Course& course) {
+    if (!chapter_of_rungs(course) || own_passes(read_state(course).own))
+        return "The last step: ./course certify\n" + electives_left(course);
+    return next_of_own(course);
+}
+
+}  // namespace
+
+std::string next_of_own(const Course& course) {
     const auto rungs = chapter_of_rungs(course);
     const OwnRecord own = read_state(course).own;
-    if (!rungs || own_passes(own))
-        return "The last step: ./course certify\n" + electives_left(course);
     const std::string folder = own.folder.empty() ? "FOLDER" : own.folder;
     return "Next: " + bold(rungs->number() + ' ' + rungs->title) + ", about " +
            std::to_string(rungs->minutes) + " minutes\n  read   " + rungs->text.string() + '\n' +
            (own.folder.empty() ? "  begin  ./course own new FOLDER\n" : "") +
            "  check  ./course own judge " + folder + '\n';
 }
-
-}  // namespace
 
 std::string next_step(const Course& course, const std::optional<Step>& next) {
     if (!next)

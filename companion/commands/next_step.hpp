@@ -11,6 +11,9 @@ namespace companion {
 std::string next_step(const Course& course, const std::optional<Step>& next);
 std::string next_step(const Course& course, const Exercise& next);
 
+// The next step in the chapter of rungs, which the course has.
+std::string next_of_own(const Course& course);
+
 // What to say when the core of a chapter is done.
 std::string chapter_done(const Chapter& chapter, int open_stars);
 

@@ -23,8 +23,12 @@ std::vector<Exercise> exercises_on_route(const Course& course);
 
 bool is_open(const Course& course, const State& state, const Step& step);
 
-// An exercise that fails and comes before the step with this ID; or else the first open step after
-// that one; or else the first open step of all. None if all is done.
+// The first open step of a chapter, in the order of the route; none if all are done.
+std::optional<Step> next_in_chapter(const Course& course, const Chapter& chapter);
+
+// After an exercise of an elective, the next open one of that chapter. Otherwise an exercise that
+// fails and comes before the step with this ID; or else the first open step after that one; or else
+// the first open step of all. None if all is done.
 std::optional<Step> next_on_route(const Course& course, const std::string& after = "");
 
 }  // namespace companion

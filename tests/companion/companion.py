@@ -254,6 +254,28 @@ class Companion(unittest.TestCase):
         self.assertIn("Every exercise passes. The last step", self.course("check", "02"))
         self.assertNotIn("Beyond the course, an elective", self.course())
 
+    def test_next_stays_in_the_chapter_one_is_in(self):
+        self.add_elective()
+        course = json.loads((self.root / "course.json").read_text())
+        course["chapters"][1]["exercises"].append({**self.facts[0], "id": "02.2", "title": "Number four"})
+        self.put_course(*course["chapters"])
+        for name in ("one", "two"):
+            self.put(f"exercises/02_more/rt/{name}.hpp", (STUB % (1, 1)).replace("01.1", "02.2"))
+        self.put("exercises/02_more/rt/three.hpp", "right\n")
+        self.assertIn("\nNext: 02.2 Number four", self.course("check", "02.1"))
+        self.assertIn("\nNext: 02.2 Number four", self.course("check", "02", code=3))
+        said = self.course("list", "02")
+        self.assertTrue(said.startswith("02_more          [#####.....] 1 of 2, elective"), said)
+        self.assertNotIn("01_tiny", said)
+        self.assertIn("\nNext: 02.2 Number four", said)
+        self.assertIn("\nNext: 01.1", self.course("list", "01"))
+
+    def test_it_says_once_that_one_may_begin_anywhere(self):
+        self.assertIn("You may begin at any chapter", self.course())
+        self.write("one", "right\n")
+        self.course("check", "01.1")
+        self.assertNotIn("You may begin", self.course())
+
     def test_watch_goes_on_to_no_elective(self):
         self.add_elective()
         self.write("one", "right\n")
@@ -1200,10 +1222,22 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.put("course.json", json.dumps({**course, "route": ["graft 01", "01.1", "graft 02", "01.2", "02.1"]}))
         self.put("solutions/tracer/01.cpp", "no program\n")
         self.course("tracer", "--from", "01")
-        self.assertTrue(self.course("tracer", code=1).startswith("Graft 01: Any\n"))
-        self.write("one", "right\n")
-        self.course("check", "01.1")
-        self.assertTrue(self.course("tracer", code=1).startswith("Graft 02: Any\n"))
+        said = self.course("tracer", code=1)
+        self.assertTrue(said.startswith("Graft 01: Any\n"), said)
+        self.write("one", "right\n")  # it is checked first
+        self.assertTrue(self.course("check", "tracer", code=1).startswith("Graft 02: Any\n"))
+
+    def test_a_tracer_that_draws_for_ever_ends_with_the_companion(self):
+        chapter = self.chapter("01_tiny", self.facts)
+        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        self.put_course(chapter)
+        self.put("exercises/tracer/tracer.cpp",
+                 '#include <fstream>\n#include <unistd.h>\nint main() { std::ofstream{"started"} << 1; sleep(60); }\n')
+        with subprocess.Popen([COURSE, "tracer"], env=self.environment, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as tracer:
+            self.wait_for(lambda: (self.root / "started").exists())
+            tracer.terminate()
+            self.assertEqual(tracer.wait(timeout=10), -signal.SIGTERM)
 
     def test_study_measures_what_passes(self):
         self.write("one", "right\n")
@@ -1310,7 +1344,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.use_script()
         shutil.rmtree(self.root / "build")
         whole = self.script("help")
-        self.assertIn("\n  check [NN | NN.k]       build and check your answers", whole)
+        self.assertIn("\n  check [NN | tracer]     build and check your answers", whole)
         self.assertIn("\n      --stars             show every hard case", whole)
         self.assertEqual(self.script("--help"), whole)
         for line in whole.split("\n"):
