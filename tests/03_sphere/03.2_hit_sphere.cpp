@@ -259,6 +259,15 @@ TEST_CASE("03.2 only hits within the interval count", "[03.2]") {
     check(sphere, forward, {4, 4}, Real(4), "the ends of the interval belong to it");
     check(sphere, forward, {6, 6}, Real(6), "the ends of the interval belong to it");
     check({{0, 0, 5}, 1}, forward, {-5, 0}, Real(-4), "an interval may begin below 0");
+    check({{0, 0, 5}, 1}, forward, {-9, 0}, Real(-6), "an interval may begin below 0");
+}
+
+TEST_CASE("03.2 a hit close to the ray's origin counts", "[03.2]") {
+    const char* const hint =
+        "the interval alone decides which hits count: no t within it is too small";
+    check({{0, 0, -1}, 1}, forward, ahead, Real(0), hint);
+    check({{0, 0, Real(-1 - 0x1p-12)}, 1}, forward, ahead, Real(0x1p-12), hint);
+    check({{0, 0, Real(-0x1p-20)}, Real(0x1p-21)}, forward, ahead, Real(0x1p-21), hint);
 }
 
 TEST_CASE("03.2 a direction of length zero hits nothing", "[03.2][hard]") {

@@ -494,6 +494,48 @@ TEST_CASE("04.7 the throughput's largest channel decides how likely a path is to
     }
 }
 
+TEST_CASE("04.7 most_likely limits how likely a path is to go on", "[04.7]") {
+    struct Counted {
+        rt::Rng rng{45, 12};
+        int draws = 0;
+        Real uniform() {
+            ++draws;
+            return rng.uniform();
+        }
+    };
+    {
+        INFO("Hint: leave RouletteEnding as it was given");
+        CHECK(text(rt::RouletteEnding{}.most_likely) == text(real(0.95)));
+    }
+    for (const Real bright : {Real(3), Real(1), real(0.7), real(0.02)})
+        for (const Real most_likely : {real(0.95), real(0.25)}) {
+            const Color before{bright / 2, bright, bright / 4};
+            const Real p = std::min(bright, most_likely);
+            const std::string paths = "paths with the throughput " + text(before) +
+                                      " and most_likely " + text(most_likely);
+            Counted random;
+            constexpr int count = 10000;
+            int going = 0;
+            for (int i = 0; i < count; ++i) {
+                Color c = before;
+                if (rt::play_roulette(c, most_likely, random) != rt::PathEnd::none) continue;
+                ++going;
+                INFO(paths << ": one goes on; expected the throughput " << text(before / p)
+                           << ", actual " << text(c)
+                           << ".\nHint: divide by the probability, which is at most most_likely");
+                REQUIRE(is_near(c, before / p));
+            }
+            const double expected = count * static_cast<double>(p);
+            INFO(paths << ": expected that about " << expected << " of " << count
+                       << " go on, actual " << going
+                       << ".\nHint: the probability is the largest channel, however small, but at "
+                          "most most_likely");
+            CHECK(std::abs(going - expected) <= 6 * std::sqrt(expected));
+            INFO("the values are how many random numbers were drawn for " << count << " decisions");
+            CHECK(random.draws <= count);
+        }
+}
+
 TEST_CASE("04.7 a gray sphere under a white sky returns its albedo", "[04.7]") {
     // The furnace: from a sphere alone every path leaves after one bounce, so nothing is random
     // here. One path that meets the sphere again is one too many.
@@ -582,10 +624,6 @@ TEST_CASE("04.7 roulette ends dark paths more often than bright ones", "[04.7][h
             return number;
         }
     };
-    {
-        INFO("Hint: leave RouletteEnding as it was given");
-        CHECK(text(rt::RouletteEnding{}.most_likely) == text(real(0.95)));
-    }
     rt::Rng rng{45, 10};
     for (int i = 0; i < 20000; ++i) {
         const Color before{any_size(rng, -6, 1), any_size(rng, -6, 1), any_size(rng, -6, 1)};
@@ -632,7 +670,7 @@ TEST_CASE("04.7 roulette ends dark paths more often than bright ones", "[04.7][h
     }
 }
 
-TEST_CASE("04.7 roulette ends a black path whatever number it draws", "[04.7][hard]") {
+TEST_CASE("04.7 roulette ends a black path whatever number it draws", "[04.7]") {
     struct Always {
         Real number;
         Real uniform() const { return number; }
@@ -651,7 +689,7 @@ TEST_CASE("04.7 roulette ends a black path whatever number it draws", "[04.7][ha
     }
 }
 
-TEST_CASE("04.7 roulette ends even a path between white surfaces", "[04.7][hard]") {
+TEST_CASE("04.7 roulette ends even a path between white surfaces", "[04.7]") {
     rt::Rng rng{45, 11};
     for (int i = 0; i < 1000; ++i) {
         const Ground world;

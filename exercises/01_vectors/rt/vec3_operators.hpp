@@ -4,8 +4,9 @@
 
 namespace rt {
 
-// Exercise 01.1. All operators work component by component, and round each component once. The
-// remaining operators, such as s * v and +=, are given in <rt/vec3.hpp> and call the ones below.
+// Exercise 01.1. All operators work component by component. The remaining operators, such as s * v
+// and +=, are given in <rt/vec3.hpp> and call the ones below.
+// Star: each component is rounded once, and this holds for numbers of any size.
 
 // The vector of the same length in the opposite direction (given, as an example).
 inline Vec3 operator-(Vec3 v) {
@@ -27,7 +28,8 @@ inline Vec3 operator*(Vec3 v, Real s) {
     return rt::todo("01.1", v, s);
 }
 
-// v divided by s, each component by a division of its own.
+// v divided by s.
+// Star: each component by a division of its own.
 inline Vec3 operator/(Vec3 v, Real s) {
     return rt::todo("01.1", v, s);
 }

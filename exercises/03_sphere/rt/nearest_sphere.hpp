@@ -15,6 +15,7 @@ namespace rt {
 // meets no sphere within the interval, and for an empty list. t is exactly what hit_sphere (03.2)
 // returns for this sphere alone. The spheres come in any order, and may overlap or lie within each
 // other.
+// Star: this holds for scenes of any size, and the last digit of t counts.
 inline std::optional<NearestSphere> nearest_sphere(std::span<const SceneSphere> spheres,
                                                    const Ray& ray, Interval within) {
     return rt::todo("03.3", spheres, ray, within);

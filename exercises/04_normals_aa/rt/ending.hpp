@@ -10,6 +10,7 @@ namespace rt {
 // divided by p, so that the paths that go on stand in for those that ended. This is correct on
 // average: p * (1 / p) = 1. p is the largest component of the throughput, however small, but at
 // most most_likely. Draw at most one random number. A black path, p = 0, ends even if 0 is drawn.
+// Star: the probability is p to the last digits.
 template <class Random>
 PathEnd play_roulette(Color& throughput, Real most_likely, Random& random) {
     return rt::todo("04.7", throughput, most_likely, random);
