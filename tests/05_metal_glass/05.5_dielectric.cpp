@@ -122,7 +122,8 @@ TEST_CASE("05.5 glass reflects as often as the reflectance says", "[05.5]") {
         if (i % 10 == 9) arrival.incoming = -arrival.normal;  // head on
         const Vec3 incoming = arrival.incoming, normal = arrival.normal;
         const Real near_1 = std::pow(Real(10), rng.uniform(for_this_precision(-6, -14), -1));
-        const Real index = i % 3 == 0   ? rng.uniform(real(0.3), 3)
+        const Real index = i % 30 == 2  ? 1
+                           : i % 3 == 0 ? rng.uniform(real(0.3), 3)
                            : i % 3 == 1 ? std::pow(Real(10), rng.uniform(-1, 1))
                                         : 1 + (i % 2 ? near_1 : -near_1);
         rt::Hit hit;

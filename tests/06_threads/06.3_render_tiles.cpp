@@ -217,7 +217,7 @@ TEST_CASE("06.3 take_tile reads the counter and adds 1 in one step", "[06.3]") {
     }
 }
 
-TEST_CASE("06.3 pictures with few pixels or none are rendered", "[06.3][hard]") {
+TEST_CASE("06.3 pictures with few pixels or none are rendered", "[06.3]") {
     for (const TileGrid grid :
          {TileGrid{0, 0, 16}, TileGrid{0, 5, 16}, TileGrid{5, 0, 16}, TileGrid{1, 1, 16},
           TileGrid{1, 1, 1}, TileGrid{1, 1000, 64}, TileGrid{1000, 1, 64}})
@@ -292,7 +292,7 @@ TEST_CASE("06.3 an exception in a tile reaches the caller", "[06.3][hard]") {
     }
 }
 
-TEST_CASE("06.3 two pictures may be rendered at the same time", "[06.3][hard]") {
+TEST_CASE("06.3 two pictures may be rendered at the same time", "[06.3]") {
     const TileGrid outer{12, 9, 3}, inner{23, 11, 4};
     PixelCounts outer_counts{outer, 3};
     std::vector<std::unique_ptr<PixelCounts>> inner_counts;

@@ -211,7 +211,7 @@ TEST_CASE("06.5 both loops draw the same picture as 06.3", "[06.5]") {
     }
 }
 
-TEST_CASE("06.5 with OpenMP a free thread takes the next job", "[06.5][hard]") {
+TEST_CASE("06.5 with OpenMP a free thread takes the next job", "[06.5]") {
     if (!rt::spread_by_openmp()) {
         SUCCEED("there is no such loop");
         return;

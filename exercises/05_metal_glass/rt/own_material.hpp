@@ -22,6 +22,8 @@ struct OwnMaterial {
 // absorbed. `incoming` has length 1. Light may arrive on both sides of the surface. Any design that
 // obeys the six rules of the text passes. [[maybe_unused]] keeps the compiler from warning about an
 // argument that a design does not use.
+// Star: the rules also hold for light that grazes the surface, for hits of any size, and for the
+// smallest and the largest random numbers.
 template <class Random>
 std::optional<Scatter> scatter(const OwnMaterial& material, [[maybe_unused]] Vec3 incoming,
                                [[maybe_unused]] const Hit& hit, [[maybe_unused]] Random& random) {

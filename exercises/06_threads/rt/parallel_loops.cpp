@@ -12,6 +12,8 @@ namespace rt {
 
 // The code between #ifdef and #endif is compiled only if the library is available.
 // parallel_loops.hpp says what the two functions do.
+// Star: an exception in a job reaches the caller. parallel_jobs.hpp catches it, and throws it again
+// after your loop.
 
 #ifdef RT_HAS_OPENMP
 // Exercise 06.5. A plain loop over the jobs, and above it one line that makes OpenMP divide the

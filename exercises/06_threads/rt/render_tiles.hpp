@@ -10,6 +10,7 @@ namespace rt {
 
 // Exercise 06.3. The number of tiles that cover the picture. It fits into an int, and is 0 if the
 // width or the height is 0.
+// Star: width, height and tile_size may be as large as the largest int.
 inline int tile_count(const TileGrid& grid) {
     return rt::todo("06.3", grid);
 }
@@ -17,6 +18,7 @@ inline int tile_count(const TileGrid& grid) {
 // Exercise 06.3. The tile with number `index`, 0 ... tile_count(grid) - 1. The tiles are numbered
 // row by row, from the top left. At the right and lower edges of the picture a tile ends where the
 // picture ends.
+// Star: width, height and tile_size may be as large as the largest int.
 inline Tile tile_at(const TileGrid& grid, int index) {
     return rt::todo("06.3", grid, index);
 }
@@ -32,6 +34,7 @@ std::optional<int> take_tile(Counter& next, int count) {
 
 // Exercise 06.3. A Strategy: whichever worker is free takes the next tile. Several pictures may be
 // rendered at the same time.
+// Star: an exception in a tile reaches the caller.
 inline void render_tiles(const TileGrid& grid, int workers, const TileWork& work) {
     rt::todo("06.3", grid, workers, work);
 }

@@ -9,7 +9,8 @@ namespace rt {
 // Exercise 06.4. The generator of one sample of one pixel. Its numbers depend on these four
 // arguments alone, never on which thread asks, when, or in which order. If any argument differs,
 // the result is a different generator, and the two draw unrelated numbers from the first draw on.
-// x, y and sample are 0 or more. Every bit of the four arguments counts, and the state has 64 bits.
+// x, y and sample are 0 or more, and the state has 64 bits.
+// Star: every bit of the four arguments counts, however large they are.
 inline Rng sample_rng(std::uint64_t seed, int x, int y, int sample) {
     return rt::todo("06.4", seed, x, y, sample);
 }
