@@ -15,8 +15,8 @@ double dot_error(Vec3 a, Vec3 b, double expected) {
     return std::abs((dot - Exact(expected)).high) / static_cast<double>(rt::epsilon);
 }
 
-// What the star allows, in epsilon: w itself is a unit vector only within 3.5 epsilon; building u and
-// v adds at most 9 roundings. And what is plainly right.
+// What the star allows, in epsilon: w itself is a unit vector only within 3.5 epsilon; building u
+// and v adds at most 9 roundings. And what is plainly right.
 constexpr double accurate = 8, plain = 100;
 
 void check_basis(Vec3 w, double allowed) {

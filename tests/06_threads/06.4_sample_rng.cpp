@@ -316,13 +316,12 @@ TEST_CASE("06.4 no two samples of a picture share a generator", "[06.4]") {
         seen.add({4, pixel % 1920, pixel / 1920, static_cast<int>(number % 64)});
     }
     // Pictures may be wide, and seeds of any size.
-    const int some[] = {5, 255, 256, 1920, 65'535, 65'536, 65'541, 70'000};
+    const int some[] = {5, 6, 255, 256, 1920, 10'005, 65'535, 65'536, 65'541, 70'000};
     const std::uint64_t large = std::uint64_t{7} << 32;
     for (const std::uint64_t seed : {std::uint64_t{7}, large, large + 1})
         for (const int x : some)
             for (const int y : some)
-                for (const int sample : some)
-                    seen.add({seed, x, y, sample});
+                for (const int sample : some) seen.add({seed, x, y, sample});
     seen.check();
 }
 

@@ -26,11 +26,9 @@ TEST_CASE("07.2 the box extends from the sphere's center by the radius", "[07.2]
                                  Sphere{{0, 0, 0}, 1}, Sphere{{-2, 6, 1}, 0}}) {
         const Box box = bounds_of(sphere);
         INFO("sphere at " << checkpoint::text(sphere.center) << " of radius "
-                          << checkpoint::text(sphere.radius) << ", your "
-                          << checkpoint::text(box));
+                          << checkpoint::text(sphere.radius) << ", your " << checkpoint::text(box));
         // The star adds a margin.
-        const Real near =
-            2 * rt::hit_margin * (rt::max_component(sphere.center) + sphere.radius);
+        const Real near = 2 * rt::hit_margin * (rt::max_component(sphere.center) + sphere.radius);
         const auto check = [&](Real value, Real expected) {
             HINT(expected, value,
                  "the box extends from center minus radius to center plus radius, along each axis");

@@ -344,6 +344,31 @@ TEST_CASE("07.3 the function split decides how many spheres go to the left", "[0
     CHECK(counts == std::vector<int>{2, 2, 2, 2, 4});
 }
 
+TEST_CASE("07.3 split is called once for each node and decides which nodes are leaves", "[07.3]") {
+    const auto boxes = rt::bounds_of(random_spheres(40));
+    for (const int largest : {1, 2, 10}) {
+        auto order = numbers(boxes.size());
+        int calls = 0;
+        const auto split = [&](std::span<int> part, std::span<const Box>) {
+            ++calls;
+            const auto n = static_cast<int>(part.size());
+            return n <= largest ? 0 : n / 2;
+        };
+        const auto root = rt::build_node(std::span{order}, 0, std::span{boxes}, split);
+        INFO("40 spheres, and a split that leaves up to " << largest << " of them together");
+        {
+            INFO(
+                "the number of spheres in the largest leaf.\nHint: a node is a leaf if, and only "
+                "if, split returns 0; do not look at the number of spheres");
+            CHECK(largest_leaf(*root) == (largest == 10 ? 10 : largest == 2 ? 2 : 1));
+        }
+        INFO(
+            "the number of nodes, and how often split was called.\nHint: keep what split returns "
+            "in a variable");
+        CHECK(nodes_of(*root) >= calls);
+    }
+}
+
 TEST_CASE("07.3 the tree follows the results of any split", "[07.3][hard]") {
     const auto boxes = rt::bounds_of(random_spheres(400));
     for (int shape = 0; shape < 6; ++shape)

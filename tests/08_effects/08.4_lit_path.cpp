@@ -25,11 +25,12 @@ const Ray down{{0, Real(0.5), 0}, {0, -1, 0}};
 struct OneSample : rt::SceneLights {
     std::optional<rt::ChosenLight> sample;
     mutable Vec3 asked_from{};
+    mutable std::optional<std::uint32_t> drawn{};
 
     template <class Random>
     std::optional<rt::ChosenLight> choose(Vec3 from, Random& random) const {
         asked_from = from;
-        random();
+        drawn = random();
         return sample;
     }
 };
@@ -268,6 +269,47 @@ TEST_CASE("08.4 a matte bounce draws random numbers to sample a light and a mirr
     draws(white, 2, true);
     draws(rt::Mirror{{1, 1, 1}}, 0, false);
     // Rough metal may ask for a light: with weights that is right, too.
+}
+
+TEST_CASE("08.4 random numbers are drawn for the bounce and the ending before the light",
+          "[08.4]") {
+    Lit lit;
+    lit.add(floor_ball, white);
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        OneSample lights;
+        lights.add({rt::Sphere{{0, 40, 0}, 1}, {2, 2, 2}});
+        rt::Rng random{seed, 4}, expected = random;
+        rt::lit_path_radiance(down, lit.world, lit.materials, lit.sky, lights, rt::NoFog{},
+                              rt::RouletteEnding{}, 1, random);
+        for (int i = 0; i < 3; ++i) expected.uniform();  // two for the bounce, one for the ending
+        INFO(
+            "a white floor, and roulette from the first bounce on.\nHint: the order is "
+            "place.scatter, the ending, direct_light");
+        REQUIRE(lights.drawn.has_value());
+        REQUIRE(*lights.drawn == expected());
+    }
+}
+
+TEST_CASE("08.4 a bounce adds no light that was sampled even if it was hidden", "[08.4]") {
+    // A floor in a lamp that is all around. The sample is hidden by a black ball, but most bounces
+    // meet the lamp elsewhere.
+    Lit lit;
+    lit.add(floor_ball, white);
+    lit.add({{0, 3, 0}, Real(0.5)}, rt::Lambertian{{0, 0, 0}});
+    lit.add_light({{0, 0, 0}, 50}, {1, 1, 1});
+    // So likely to sample the lamp that the star's weight of the bounce is 0.
+    struct Likely : OneSample {
+        Real density(const rt::Light&, Vec3) const { return Real(1e9); }
+    } lights;
+    lights.add(lit.lights.all()[0]);
+    lights.sample = rt::ChosenLight{{{0, 1, 0}, 50, Real(1e9)}, {1, 1, 1}, &lights.all()[0]};
+    const Mean mean = lit.mean(down, lights, rt::SkyEnding{}, 2, 200, 8);
+    INFO("mean of the light: "
+         << mean.mean()
+         << ", expected 0.\nHint: a light that was sampled, but is hidden, is in the sample with "
+            "0. So `sampled` does not depend on what direct_light returns: otherwise partly hidden "
+            "lamps are too bright");
+    CHECK(mean.mean() <= 0.001);
 }
 
 TEST_CASE("08.4 without lights and fog the result equals that of 04.7 exactly", "[08.4]") {

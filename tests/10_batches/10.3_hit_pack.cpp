@@ -144,6 +144,19 @@ TEST_CASE("10.3 rays from inside hit the far side", "[10.3]") {
     }
 }
 
+TEST_CASE("10.3 rays that start on a sphere hit it at t = 0", "[10.3]") {
+    rt::Rng rng{103, 10};
+    for (int round = 0; round < 100; ++round) {
+        const auto whole = [&] { return static_cast<Real>(rng() % 9) - 4; };
+        const Vec3 from{whole(), whole(), whole()};
+        const Sphere sphere{from + Vec3{0, 0, -2}, 2};
+        Rays rays;
+        for (OneRay& one : rays)
+            one.ray = {from, {whole(), whole(), rng() % 2 ? Real(-1) : Real(1)}};
+        check_pack(sphere, 7, rays, "the interval begins at 0, and both of its ends belong to it");
+    }
+}
+
 TEST_CASE("10.3 only hits that are nearer than before count", "[10.3]") {
     rt::Rng rng{103, 2};
     for (int round = 0; round < 5000; ++round) {

@@ -125,7 +125,7 @@ TEST_CASE("12.5 polygons with any number of corners keep the order of their corn
 
 TEST_CASE("12.5 each corner keeps its normal and its texture coordinates", "[12.5]") {
     Polygons all = square();
-    all.normals = {{0, 0, 5}, {3, 0, 4}};
+    all.normals = {{0, 0, 5}, {3, 0, 4}, {0, 4, 3}};  // no corner has the last one
     all.places = {{0, 0}, {1, 0}, {1, 1}};
     all.polygons = {{{0, 0, 0}, {1, 1, 1}, {2, -1, 2}, {3, 0, -1}}};
     const Mesh mesh = rt::make_mesh(all);
@@ -149,6 +149,10 @@ TEST_CASE("12.5 each corner keeps its normal and its texture coordinates", "[12.
               4 * rt::epsilon);
         CHECK(rt::max_component(normal_of(mesh, {0, 0}) - Vec3{0, 0, 1}) <= 4 * rt::epsilon);
     }
+    INFO("Hint: normalize all normals, also those that no corner has");
+    REQUIRE(mesh.normals.size() >= 3);
+    CHECK(rt::max_component(normal_of(mesh, {0, 2}) - Vec3{0, real(0.8), real(0.6)}) <=
+          4 * rt::epsilon);
 }
 
 TEST_CASE("12.5 indices out of range are refused", "[12.5]") {

@@ -103,6 +103,12 @@ TEST_CASE("12.6 beyond its edges the image repeats", "[12.6]") {
                 "at the upper edge, the first and the last row have the weight 1/2 each");
     check_color(image, {real(0.0625), 0}, {0, real(1.5), 1},
                 "at the lower edge, the last and the first row have the weight 1/2 each");
+    // Less than half a pixel from an edge.
+    const char* const hint = "beyond the middle of the last pixel, the first one is its neighbor";
+    check_color(image, {real(0.96875), real(0.875)}, {real(5.25), 0, 1}, hint);
+    check_color(image, {real(0.03125), real(0.875)}, {real(1.75), 0, 1}, hint);
+    check_color(image, {real(0.0625), real(0.9375)}, {0, real(0.75), 1}, hint);
+    check_color(image, {real(0.0625), real(0.0625)}, {0, real(2.25), 1}, hint);
     rt::Rng rng{126, 2};
     for (int i = 0; i < 2000; ++i) {
         const Vec2 place{rng.uniform(), rng.uniform()};

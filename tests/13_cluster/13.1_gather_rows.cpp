@@ -14,6 +14,7 @@ namespace {
 // What is sent and how much memory is asked for, while an answer is watched: then nothing is sent,
 // and nobody gets more than 4 gigabytes.
 bool is_watched = false;
+int gathers = 0;  // how often this rank called MPI_Gatherv
 int sent_count = 0;
 std::int64_t sent_bytes = 0;
 std::size_t most_memory = 0;
@@ -63,12 +64,14 @@ std::string gather(int width, int height, MPI_Comm ranks) {
 // These take the place of MPI's functions, which have other names as well.
 int MPI_Gatherv(const void* send, int count, MPI_Datatype type, void* receive, const int counts[],
                 const int begins[], MPI_Datatype received, int root, MPI_Comm ranks) {
+    ++gathers;
     if (is_watched) return count_sent(count, type);
     return PMPI_Gatherv(send, count, type, receive, counts, begins, received, root, ranks);
 }
 int MPI_Igatherv(const void* send, int count, MPI_Datatype type, void* receive, const int counts[],
                  const int begins[], MPI_Datatype received, int root, MPI_Comm ranks,
                  MPI_Request* request) {
+    ++gathers;
     if (!is_watched)
         return PMPI_Igatherv(send, count, type, receive, counts, begins, received, root, ranks,
                              request);
@@ -112,9 +115,19 @@ TEST_CASE("13.1 the rows of all ranks arrive in the right order", "[13.1]") {
 
 TEST_CASE("13.1 ranks without rows take part", "[13.1]") {
     on_ranks(4, [](MPI_Comm ranks) {
-        for (const auto& [width, height] : {std::pair{6, 1}, {6, 3}, {1, 2}})
-            if (const std::string wrong = gather(width, height, ranks); !wrong.empty())
-                return wrong;
+        for (const auto& [width, height] : {std::pair{6, 1}, {6, 3}, {1, 2}}) {
+            gathers = 0;
+            const std::string wrong = gather(width, height, ranks);
+            int most = 0;
+            PMPI_Allreduce(&gathers, &most, 1, MPI_INT, MPI_MAX, ranks);
+            if (!wrong.empty()) return wrong;
+            if (gathers != most)
+                return "a picture of " + std::to_string(height) + " rows, so that " +
+                       std::to_string(4 - height) +
+                       " of 4 ranks have none: another rank calls MPI_Gatherv, and this one does "
+                       "not\nHint: all ranks of a group must make the same collective calls, also "
+                       "with a count of 0";
+        }
         return std::string{};
     });
 }

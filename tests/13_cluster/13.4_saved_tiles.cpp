@@ -92,6 +92,15 @@ TEST_CASE("13.4 a new version of a tile replaces the older one", "[13.4]") {
         INFO("Hint: rename the finished file; a copy would leave two files");
         CHECK(names_in(folder) == std::vector<std::string>{"5.tile"});
     }
+    // A second name of the file, which would see if its content changed.
+    const fs::path other = rt::tile_file(folder.path(), 6);
+    fs::create_hard_link(rt::tile_file(folder.path(), 5), other);
+    rt::save_tile(folder.path(), 5, some_pixels(4, 7));
+    check_tile(folder.path(), 5, some_pixels(4, 7));
+    INFO(
+        "the older file of the tile was written over.\nHint: rename the finished file; a copy is "
+        "not whole while it is being made");
+    check_tile(folder.path(), 6, some_pixels(3, 33));
 }
 
 TEST_CASE("13.4 the folder may be on any disk", "[13.4]") {

@@ -27,6 +27,7 @@ inline std::optional<Real> hit_instance(const Instance& instance, const Ray& ray
 // The normal has length 1, points outward, and is right for stretched spheres, too. front is true
 // if the ray came from outside, point_error is instance_error for this point, and material is the
 // instance's.
+// Star: this holds for any map. A ray that leaves the surface does not meet it again.
 inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
     return rt::todo("08.5", instance, ray, t);
 }
@@ -35,6 +36,7 @@ inline Hit surface_hit(const Instance& instance, const Ray& ray, Real t) {
 //     margin_factor(instance) * hit_margin * (m + r),
 // where m is the largest absolute coordinate of the box's center, and r the largest of the three
 // distances from the center to a face.
+// Star: this holds for any map.
 inline Box bounds_of(const Instance& instance) {
     return rt::todo("08.5", instance);
 }
