@@ -173,6 +173,22 @@ TEST_CASE("02.3 up may be slanted and of any length", "[02.3]") {
     }
 }
 
+TEST_CASE("02.3 a camera that looks steeply up or down and one with a tiny up have a basis",
+          "[02.3]") {
+    const auto check = [](Vec3 at, Vec3 up) {
+        const ExactBasis exact = exact_basis(exact_vector(-at), up);
+        const Basis b = rt::look_at({0, 0, 0}, at, up);
+        INFO("look_at((0, 0, 0), " << checkpoint::text(at) << ", " << checkpoint::text(up)
+                                   << ") gives " << text(b)
+                                   << ", expected u = " << checkpoint::text(exact.u)
+                                   << ".\nHint: only if up x w is exactly zero is there no plane");
+        CHECK(error_in_ulp_of_1(b.u, exact.u) <= 1e5);
+    };
+    for (const Real down : {Real(16), Real(-16), Real(100), Real(-300)})
+        check({1, -down, 2}, {0, 1, 0});
+    for (const int power : {-40, -20, 20, 40}) check({3, 1, -4}, scaled({1, 2, 2}, power));
+}
+
 TEST_CASE("02.3 a camera that looks straight up or down has a basis", "[02.3]") {
     for (const Vec3 axis : {Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{1, 0, 0}})
         for (const Real height : {-4, -1, 1, 4}) {

@@ -176,6 +176,27 @@ TEST_CASE("04.1 front and t and material are correct for every ray", "[04.1]") {
     });
 }
 
+TEST_CASE("04.1 the point is moved onto the surface", "[04.1]") {
+    rt::Rng rng{41, 3};
+    for (int i = 0; i < 200; ++i) {
+        // From far away, where t is too large for all digits of the point.
+        const Sphere sphere{3 * any_direction(rng), rng.uniform(1, 2)};
+        const Vec3 from = 1000 * any_direction(rng);
+        const Ray ray{from, rt::normalize(sphere.center - from)};
+        const auto t = rt::hit_sphere(sphere, ray, {});
+        REQUIRE(t);
+        const Hit hit = rt::surface_hit(sphere, ray, *t);
+        const Real off = rt::length(hit.point - sphere.center) - sphere.radius;
+        INFO("the ray comes from 1000 units away; the point is "
+             << text(off) << " off the surface, but at most " << text(hit.point_error)
+             << " is point_error.\nHint: the "
+                "point is center + radius * "
+                "normal; origin + t * direction "
+                "only gives the normal");
+        REQUIRE(std::abs(off) <= hit.point_error);
+    }
+}
+
 TEST_CASE("04.1 point_error grows with the radius and the distance from the origin", "[04.1]") {
     for_shots(2000, 2, 100, [](const Shot& shot) {
         const Hit hit = rt::surface_hit(shot.sphere, shot.ray, shot.t);

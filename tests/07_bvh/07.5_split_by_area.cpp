@@ -326,7 +326,7 @@ TEST_CASE("07.5 rays need fewer tests than in a tree split in half", "[07.5]") {
     CHECK(4 * tests_area < 3 * tests_half);
 }
 
-TEST_CASE("07.5 the surface of the empty box is 0", "[07.5][hard]") {
+TEST_CASE("07.5 the surface of the empty box is 0", "[07.5]") {
     const Real empty = surface_area(Box{});
     HINT(Real(0), empty, "box.size() of the empty box is 0, but high - low is minus infinity");
     CHECK(empty == 0);

@@ -30,9 +30,9 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 // Exercise 08.3. A direction of length 1 to a sphere that shines, the distance to its surface in
 // this direction, and light_density. `place` is a sample point, 0 <= x, y < 1. x says how far the
 // direction is from the center (0) toward the rim (1), as a fraction of cone_height; y is the
-// fraction of a turn around the center, counted from any direction. None if the point is not
-// outside the light.
-// Star: the point may also be inside or on the surface; then all directions must be equally likely.
+// fraction of a turn around the center, counted from any direction. If the point is not outside the
+// light, none will do.
+// Star: if the point is inside or on the surface, all directions must be equally likely.
 // Returns none where light_density is 0. The direction's length is accurate to 5 epsilon. The point
 // at the returned distance lies within rounding_bound(60) * (d + r) of the surface, where d is the
 // distance of the center and r the radius. For x = 0 the distance is d - r, with a relative error
