@@ -106,6 +106,19 @@ void compare_stub(const Course& course, const Exercise& exercise, Lines& wrong) 
     }
 }
 
+// A learner who stops reading at "Star:" reads the core's contract.
+void look_for_star(const Course& course, const Exercise& exercise, Lines& wrong) {
+    std::string all;
+    for (const fs::path& stub : exercise.files)
+        // Beside a .cpp, there may be a header with the contract.
+        for (const fs::path& file : {stub, fs::path{stub}.replace_extension(".hpp")})
+            if (fs::exists(course.root / file)) all += read_text(course.root / file);
+    if (all.find("// Star: ") == std::string::npos)
+        wrong.push_back(exercise.files.front().generic_string() +
+                        " has no line that begins with '// Star:': what only the star's test "
+                        "cases check comes after it");
+}
+
 void look_into_texts(const Course& course, const Exercise& exercise, Lines& wrong) {
     if (const std::size_t count = hints(course, exercise).size(); count != all_hints)
         wrong.push_back(exercise.chapter.hints.generic_string() + " has " +
@@ -214,6 +227,7 @@ std::vector<std::string> wrong_parts(const Course& course, const Exercise& exerc
     Lines wrong = missing_files(course, exercise);
     find_marks(course, exercise, wrong);
     compare_stub(course, exercise, wrong);
+    look_for_star(course, exercise, wrong);
     look_into_texts(course, exercise, wrong);
     count_mistakes(course, exercise, wrong);
     ask_clang_format(course, exercise, wrong);

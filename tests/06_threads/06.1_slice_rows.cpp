@@ -97,8 +97,7 @@ TEST_CASE("06.1 equal slices have the same number of rows", "[06.1]") {
     }
 }
 
-TEST_CASE("06.1 every row has one worker even if there are more workers than rows",
-          "[06.1]") {
+TEST_CASE("06.1 every row has one worker even if there are more workers than rows", "[06.1]") {
     for (int height = 0; height < 64; ++height)
         for (int workers = 1; workers <= 64; ++workers) REQUIRE(complaint(height, workers) == "");
 }

@@ -141,6 +141,8 @@ TEST_CASE("what is wrong with an exercise is said, with what would be right", "[
     CHECK(has(small.wrong(), stub + " calls no rt::todo(\"01.2\")"));
     small.replace(stub, "Exercise 01.2.", "Two.");
     CHECK(has(small.wrong(), "its comment begins with 'Exercise 01.2'"));
+    small.replace(stub, "Star: ", "");
+    CHECK(has(small.wrong(), stub + " has no line that begins with '// Star:'"));
     small.replace("docs/hints/01.md", "3. UNWRITTEN", "x. UNWRITTEN");
     CHECK(has(small.wrong(), "docs/hints/01.md has 2 hints below '## 01.2': three are needed"));
     small.replace("docs/01.md", "(about 10", "(about 20");
