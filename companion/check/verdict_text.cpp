@@ -58,15 +58,21 @@ std::string begun_text(const Checked& checked, const Begun& begun) {
            functions_done(checked.exercise.functions, begun.left);
 }
 
-std::string passed_text(const Passed& passed) {
-    if (passed.open_stars.empty()) return green("done");
-    return green("core passes") + ", " +
-           yellow(stars_open(static_cast<int>(passed.open_stars.size())));
+// How to see them, after the number of open stars.
+std::string shown_by(const std::string& command, bool is_one) {
+    return command.empty() ? "" : " (" + command + (is_one ? " shows it)" : " shows them)");
 }
 
-std::string verdict_text(const Checked& checked) {
+std::string passed_text(const Passed& passed, const std::string& stars_command) {
+    if (passed.open_stars.empty()) return green("done");
+    const int open = static_cast<int>(passed.open_stars.size());
+    return green("core passes") + ", " + yellow(stars_open(open)) +
+           shown_by(stars_command, open == 1);
+}
+
+std::string verdict_text(const Checked& checked, const std::string& stars_command) {
     return std::visit(
-        Kinds{[](const Passed& passed) { return passed_text(passed); },
+        Kinds{[&](const Passed& passed) { return passed_text(passed, stars_command); },
               [&](const Failing& failing) { return failing_text(failing, checked.in_float); },
               [](const NotBegun&) { return dim("to be written"); },
               [&](const Begun& begun) { return begun_text(checked, begun); },
@@ -307,12 +313,12 @@ std::string what_is_wrong(const Checked& checked) {
 
 }  // namespace
 
-std::string summary_line(const Checked& checked) {
+std::string summary_line(const Checked& checked, const std::string& stars_command) {
     return "  " + symbol_of(checked.verdict) + ' ' + checked.exercise.id + "  " +
-           padded(checked.exercise.title, 36) + ' ' + verdict_text(checked) + '\n';
+           padded(checked.exercise.title, 36) + ' ' + verdict_text(checked, stars_command) + '\n';
 }
 
-std::string float_lines(const std::vector<Checked>& all) {
+std::string float_lines(const std::vector<Checked>& all, const std::string& stars_command) {
     std::string lines;
     for (const Checked& checked : all) {
         if (checked.in_float) lines += summary_line(checked);
@@ -321,9 +327,9 @@ std::string float_lines(const std::vector<Checked>& all) {
         const auto more = std::count_if(open.begin(), open.end(),
                                         [](const OpenStar& star) { return star.in_float; });
         if (more > 0)
-            lines += "    " + checked.exercise.id +
-                     "  in float: " + rt::counted(more, "more star") +
-                     (more == 1 ? " is open\n" : " are open\n");
+            lines +=
+                "    " + checked.exercise.id + "  in float: " + rt::counted(more, "more star") +
+                (more == 1 ? " is open" : " are open") + shown_by(stars_command, more == 1) + '\n';
     }
     return lines;
 }
@@ -350,7 +356,7 @@ std::string where_to_read(const Checked& checked) {
            ". Stuck? ./course hint " + exercise.id + '\n';
 }
 
-std::string open_stars(const Checked& checked, bool all) {
+std::string open_stars(const Checked& checked) {
     const Passed* const passed = checked.passed();
     if (!passed || passed->open_stars.empty()) return "";
     std::string text;
@@ -359,16 +365,8 @@ std::string open_stars(const Checked& checked, bool all) {
                 (star.in_float ? ", in float" : "") + '\n';
         if (!star.trouble.empty()) text += wrapped(star.trouble + '.', "    ");
         text += describe_all(star.test);
-        if (!all) break;
     }
     return text + warned(checked);
-}
-
-std::string more_stars(const Checked& checked) {
-    const Passed* const passed = checked.passed();
-    if (!passed || passed->open_stars.size() < 2) return "";
-    return "\n  " + std::to_string(passed->open_stars.size() - 1) + " more: ./course check " +
-           checked.exercise.id + " --stars\n";
 }
 
 std::string stars_open(int count) {

@@ -7,24 +7,24 @@
 
 namespace companion {
 
-// One line: symbol, exercise, title, verdict.
-std::string summary_line(const Checked& checked);
+// One line: symbol, exercise, title, verdict. If stars are open, it also says which command shows
+// them, if one is given.
+std::string summary_line(const Checked& checked, const std::string& stars_command = "");
 
 // The lines for those exercises in which the check in float found something.
-std::string float_lines(const std::vector<Checked>& all);
+std::string float_lines(const std::vector<Checked>& all, const std::string& stars_command = "");
 
 // What is wrong with an answer that does not pass: expected and actual values. Several lines.
 std::string details(const Checked& checked);
 
-// For an exercise whose core passes: its open stars, all of them or only the first, and the
-// compiler's warning. Empty if no star is open.
-std::string open_stars(const Checked& checked, bool all);
+// For an exercise whose core passes: its open stars, and the compiler's warning. Empty if no star
+// is open.
+std::string open_stars(const Checked& checked);
 
 // After these: the known mistakes that the answer resembles, each by itself.
 std::string looks_like(const Mistake& mistake, Joins joins);
 
-// Then how to see the other open stars, if there are any, and where to read.
-std::string more_stars(const Checked& checked);
+// Then where to read.
 std::string where_to_read(const Checked& checked);
 
 // "2 stars open".

@@ -61,14 +61,6 @@ void print_chapters_done(const Course& course, const std::vector<Chapter>& done)
     print("\n" + green("Done:" + numbers) + (open ? ", " + yellow(stars_open(open)) : "") + '\n');
 }
 
-// Prints the open stars of these exercises: all of them with --stars; otherwise only the first, and
-// only if a single exercise is checked.
-void print_stars(const Course& course, const std::vector<Checked>& all, bool every_star) {
-    for (const Checked& checked : all)
-        if (checked.passed() && (every_star || all.size() == 1))
-            print_open_stars(course, checked, every_star);
-}
-
 // Runs the checkpoints of one exercise under the sanitizers: the thread sanitizer or the others.
 int check_sanitized(const Course& course, const Given& given) {
     std::string name = given.named.value_or(""), sanitizer = given.options.at("--sanitize");
@@ -98,22 +90,26 @@ std::string next_among(const Course& course, const std::vector<Exercise>& some,
                                             : next_on_route(course));
 }
 
-void print_summary(const std::vector<Checked>& all) {
+void print_summary(const std::vector<Checked>& all, const std::string& stars_command) {
     std::string chapter;
     for (const Checked& checked : all) {
         if (checked.exercise.chapter.name != chapter) {
             chapter = checked.exercise.chapter.name;
             print(bold(chapter) + '\n');
         }
-        print(summary_line(checked));
+        print(summary_line(checked, stars_command));
     }
     if (all.empty()) print("Nothing is written yet.\n");
 }
 
-int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool every_star) {
+int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool shows_stars) {
     const Turn turn{course};
-    const std::vector<Checked> all = check_exercises(course, some, print_summary);
-    print(float_lines(all));
+    const std::string stars_command = some.size() == 1 && !shows_stars ? "--stars" : "";
+    const std::vector<Checked> all =
+        check_exercises(course, some, [&](const std::vector<Checked>& in_double) {
+            print_summary(in_double, stars_command);
+        });
+    print(float_lines(all, stars_command));
 
     // The details are about the exercise where they help most: the first one that is wrong, or else
     // the first one that waits for another or is still to be written.
@@ -130,7 +126,8 @@ int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool
         print_details(course, *shown);
         return wrong ? app::could_not : app::still_to_write;
     }
-    print_stars(course, all, every_star);
+    if (shows_stars)
+        for (const Checked& checked : all) print_open_stars(course, checked);
     print_chapters_done(course, chapters_done(course, all));
     if (shown != all.end()) {
         print('\n' + next_among(course, some, shown->exercise));

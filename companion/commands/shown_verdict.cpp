@@ -20,13 +20,12 @@ void print_details(const Course& course, const Checked& checked, const IsOver& i
     print(where_to_read(checked));
 }
 
-void print_open_stars(const Course& course, const Checked& checked, bool all,
-                      const IsOver& is_over) {
-    const std::string text = open_stars(checked, all);
+void print_open_stars(const Course& course, const Checked& checked) {
+    const std::string text = open_stars(checked);
     if (text.empty()) return;
     print('\n' + text);
-    print_mistakes(course, checked, is_over);
-    print((all ? "" : more_stars(checked)) + where_to_read(checked));
+    print_mistakes(course, checked, [] { return false; });
+    print(where_to_read(checked));
 }
 
 }  // namespace companion

@@ -14,10 +14,7 @@ using IsOver = std::function<bool()>;
 void print_details(
     const Course& course, const Checked& checked, const IsOver& is_over = [] { return false; });
 
-// The open stars of an answer whose core passes: all of them, or only the first. Nothing if none is
-// open.
-void print_open_stars(
-    const Course& course, const Checked& checked, bool all,
-    const IsOver& is_over = [] { return false; });
+// The open stars of an answer whose core passes. Nothing if none is open.
+void print_open_stars(const Course& course, const Checked& checked);
 
 }  // namespace companion

@@ -132,6 +132,7 @@ class Watch {
     bool check_current() {
         if (on_terminal_) print("\033[2J\033[H");
         if (preparing_.joinable()) preparing_.join();
+        const std::string stars_command = "./course check " + all_[current_].id + " --stars";
         std::optional<Turn> turn;
         std::vector<Checked> checked;
         std::string trouble;
@@ -140,7 +141,7 @@ class Watch {
             std::optional<WaitingLine> waiting{"checking " + all_[current_].id};
             checked = check_exercises(course_, {all_[current_]}, [&](const auto& in_double) {
                 waiting.reset();
-                print(summary_line(in_double[0]));
+                print(summary_line(in_double[0], stars_command));
             });
         } catch (const app::Failure& failure) {
             trouble = failure.what();
@@ -150,11 +151,10 @@ class Watch {
             print_keys();
             return false;
         }
-        print(float_lines(checked));
+        print(float_lines(checked, stars_command));
         const auto is_saved_again = [&] { return written(course_, all_) != seen_; };
         const EndsRuns ends{is_saved_again};
         if (checked[0].passed()) {
-            print_open_stars(course_, checked[0], false, is_saved_again);
             print_chapter_end();
             return true;
         }

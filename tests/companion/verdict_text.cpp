@@ -133,26 +133,26 @@ TEST_CASE("stars are told once the core passes", "[verdict_text]") {
     checked.exercise.title = "One";
     checked.exercise.chapter.name = "01_x";
     checked.verdict = Passed{};
-    CHECK(open_stars(checked, true).empty());
+    CHECK(open_stars(checked).empty());
     checked.verdict = Passed{.stars = 4,
                              .open_stars = {{star},
                                             {failing("another", "1 == 2"), true},
                                             {failing("third", ""), false, "it divided by 0"}}};
     CHECK(has(summary_line(checked), "* 01.1"));
-    CHECK(has(summary_line(checked), "core passes, 3 stars open"));
-    const std::string first = open_stars(checked, false);
-    CHECK(has(first, "the star\n"));
-    CHECK_FALSE(has(first, "another"));
-    CHECK(has(more_stars(checked), "2 more: ./course check 01.1 --stars"));
-    const std::string all = open_stars(checked, true);
+    CHECK(has(summary_line(checked), "core passes, 3 stars open\n"));
+    CHECK(
+        has(summary_line(checked, "--stars"), "core passes, 3 stars open (--stars shows them)\n"));
+    CHECK(float_lines({checked}, "--stars") ==
+          "    01.1  in float: 1 more star is open (--stars shows it)\n");
+    const std::string all = open_stars(checked);
+    CHECK(has(all, "the star\n"));
     CHECK(has(all, "another, in float\n"));
     CHECK(has(all, "it divided by 0.\n"));
 
     CHECK(has(where_to_read(checked), "now or later. Stuck? ./course hint 01.1\n"));
-    CHECK_FALSE(has(first, "warned"));
+    CHECK_FALSE(has(all, "warned"));
     checked.warning = "a.hpp:3: suggest parentheses around assignment used as truth value";
-    const std::string with_warning = open_stars(checked, false);
+    const std::string with_warning = open_stars(checked);
     CHECK(has(with_warning, "The compiler warned:\n    a.hpp:3: suggest"));
     CHECK(has(with_warning, "write `==` to compare"));
-    CHECK(has(open_stars(checked, true), "The compiler warned"));
 }
