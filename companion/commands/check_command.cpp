@@ -86,8 +86,8 @@ std::string next_among(const Course& course, const std::vector<Exercise>& some,
     const bool is_one_chapter = std::all_of(some.begin(), some.end(), [&](const Exercise& one) {
         return one.chapter.name == open.chapter.name;
     });
-    return next_step(course, is_one_chapter ? next_in_chapter(course, open.chapter)
-                                            : next_on_route(course));
+    return next_step(
+        course, is_one_chapter ? next_in_chapter(course, open.chapter) : next_on_route(course));
 }
 
 void print_summary(const std::vector<Checked>& all, const std::string& stars_command) {
@@ -105,10 +105,9 @@ void print_summary(const std::vector<Checked>& all, const std::string& stars_com
 int check_and_tell(const Course& course, const std::vector<Exercise>& some, bool shows_stars) {
     const Turn turn{course};
     const std::string stars_command = some.size() == 1 && !shows_stars ? "--stars" : "";
-    const std::vector<Checked> all =
-        check_exercises(course, some, [&](const std::vector<Checked>& in_double) {
-            print_summary(in_double, stars_command);
-        });
+    const std::vector<Checked> all = check_exercises(
+        course, some,
+        [&](const std::vector<Checked>& in_double) { print_summary(in_double, stars_command); });
     print(float_lines(all, stars_command));
 
     // The details are about the exercise where they help most: the first one that is wrong, or else

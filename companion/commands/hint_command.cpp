@@ -46,7 +46,7 @@ void print_hint(const std::string& title, int number, std::size_t most, const st
 }
 
 int hint_for_graft(const Course& course) {
-    const Chapter chapter = next_graft(course);
+    const Chapter chapter = next_graft(course).chapter;
     const std::string id = "graft " + chapter.number();
     const std::vector<std::string> all = hints_of_graft(course, chapter);
     const int number = due(course, id, all.size());

@@ -62,9 +62,11 @@ std::string ways_out(const Course& course, const Chapter& chapter) {
     for (const Chapter& earlier : grafts(course))
         if (earlier.name < chapter.name)
             again = "  ./course tracer --from " + earlier.number() + "  to do this graft again\n";
-    return "Stuck? ./course hint tracer shows the next of three hints. Or begin from our answer to a "
-           "graft; your file is kept elsewhere:\n" + again +
-           "  ./course tracer --from " + chapter.number() + "  to go on without doing this graft\n";
+    return "Stuck? ./course hint tracer shows the next of three hints. Or begin from our answer to "
+           "a "
+           "graft; your file is kept elsewhere:\n" +
+           again + "  ./course tracer --from " + chapter.number() +
+           "  to go on without doing this graft\n";
 }
 
 // How to have the next graft judged before all of its exercises pass; empty if there is none.
@@ -78,7 +80,7 @@ std::string way_on(const Course& course) {
 }
 
 // Draws the learner's scene, or what the program draws without a scene, or says why it cannot.
-void draw(const Course& course, const Chapter& chapter) {
+void draw(const Course& course, const Chapter& chapter, bool beside_ours) {
     const Graft& graft = *chapter.graft;
     app::make_folder(course.out());
     const fs::path file = course.out() / "tracer.ppm";
@@ -92,7 +94,7 @@ void draw(const Course& course, const Chapter& chapter) {
     const fs::path shown = course.out() / "tracer.png";
     app::replace_file(shown, rt::encode_png(mean_of({picture})));
     print("Your picture: " + course.relative(shown) + '\n');
-    if (graft.reads != Graft::Reads::scene) return;
+    if (graft.reads != Graft::Reads::scene || !beside_ours) return;
     // A tracer that does not follow paths yet draws different light than the whole program does.
     const std::string answer = graft.still ? "tracer." + chapter.number() : "09_own_solution";
     must_build(course, answer);
@@ -126,12 +128,13 @@ int draw_false_colors(const Course& course, const std::string& word) {
     return app::done;
 }
 
-Chapter chosen(const Course& course, const Given& given) {
+// The graft that is named, or else the next one.
+NextGraft chosen(const Course& course, const Given& given) {
     if (!given.has("--graft")) return next_graft(course);
     const Chapter chapter = find_chapter(course, given.options.at("--graft"));
     if (!chapter.graft)
         throw app::UsageError("--graft: chapter " + chapter.number() + " has no graft");
-    return chapter;
+    return {chapter, true, chapter};
 }
 
 }  // namespace
@@ -142,9 +145,11 @@ int tracer(const Course& course, const Given& given) {
     begin_tracer(course);
     // Which graft is next depends on what passes now, so changed answers are checked first.
     check_what_changed(course, grafts(course).back());
-    const Chapter chapter = chosen(course, given);
+    const NextGraft choice = chosen(course, given);
+    const Chapter& chapter = choice.chapter;
     print(bold(given.has("--show") ? "Your scene, in false colors"
-                                   : "Graft " + chapter.number() + ": " + chapter.graft->title) +
+               : choice.is_ready   ? "Graft " + chapter.number() + ": " + chapter.graft->title
+                                   : "Your tracer, on the way to graft " + chapter.number()) +
           '\n');
     print(put_yours_in_place(course, chapter).words() + '\n');
     std::string line;
@@ -154,12 +159,18 @@ int tracer(const Course& course, const Given& given) {
     compile_tracer(course, chapter);
     if (given.has("--show")) return draw_false_colors(course, given.options.at("--show"));
 
+    bool has_picture = true;
     try {
-        draw(course, chapter);
+        draw(course, choice.drawn, choice.is_ready);
     } catch (const app::Failure& failure) {
         print(yellow(std::string{"No picture: "} + failure.what()) + '\n');
+        has_picture = false;
     }
     print("\n");
+    if (!choice.is_ready) {
+        print(next_step(course, next_on_route(course, "graft " + choice.drawn.number())));
+        return has_picture ? app::done : app::could_not;
+    }
     const std::uint64_t seed = scenes_seed(given);
     must_build(course, "tracer." + chapter.number());
     JudgedLines lines{course, course.relative(tracer_program(course))};

@@ -73,7 +73,7 @@ std::vector<Chapter> grafts(const Course& course) {
     return all;
 }
 
-Chapter next_graft(const Course& course) {
+NextGraft next_graft(const Course& course) {
     const State state = read_state(course);
     std::optional<Chapter> last;
     bool is_ready = true;
@@ -81,13 +81,14 @@ Chapter next_graft(const Course& course) {
         if (step.exercise) {
             is_ready = is_ready && !is_open(course, state, step);
         } else if (is_open(course, state, step)) {
-            return is_ready || !last ? step.chapter : *last;
+            if (is_ready || !last) return {step.chapter, true, step.chapter};
+            return {step.chapter, false, *last};
         } else {
             last = step.chapter;
             is_ready = true;
         }
     }
-    return *last;
+    return {*last, true, *last};
 }
 
 std::vector<std::string> tracer_command(const Course& course, const Chapter& last) {

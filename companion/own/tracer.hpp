@@ -17,9 +17,14 @@ fs::path tracer_answer(const Course& course, const Chapter& chapter);
 // Chapters up to this one that have a graft, in their order.
 std::vector<Chapter> grafts(const Course& course);
 
-// The next graft. Until the exercises before it pass, it is the last one, because the tracer is
-// still what that one made of it.
-Chapter next_graft(const Course& course);
+// The next graft. On the way to it, the texts change the tracer step by step: then it is drawn and
+// not judged.
+struct NextGraft {
+    Chapter chapter;       // whose headers the tracer may have
+    bool is_ready = true;  // the exercises before it pass
+    Chapter drawn;         // whose graft says what the tracer reads: this one, or the last one
+};
+NextGraft next_graft(const Course& course);
 
 // The command that compiles a tracer with the headers of chapters up to this one; build/yours has
 // the headers of the exercises. Paths are relative to the course. The first word is the compiler's

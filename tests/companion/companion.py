@@ -1212,17 +1212,30 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                          r"\nNext: 01.1 Number one")
         self.assertEqual((self.root / "exercises/tracer/tracer.cpp").read_text(), "ours\n")
 
-    def test_tracer_is_judged_at_the_last_graft_until_the_next_is_ready(self):
+    def test_tracer_is_drawn_and_not_judged_until_the_next_graft_is_ready(self):
         graft = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
         self.add_second_chapter()
         course = json.loads((self.root / "course.json").read_text())
         for chapter in course["chapters"]:
             chapter["graft"] = graft
         self.put("course.json", json.dumps({**course, "route": ["graft 01", "01.1", "graft 02", "01.2", "02.1"]}))
-        self.put("solutions/tracer/01.cpp", "no program\n")
+        # On the way to graft 02, it may have the headers of chapter 02, and draws what graft 01 reads.
+        self.put("chapters/02_more/rt/later.hpp", "#pragma once\n")
+        self.put("solutions/02_more/rt/three.hpp", "#pragma once\n")
+        self.put("exercises/tracer/my.txt", "picture 2 1 1 1\n")
+        self.put("solutions/tracer/01.cpp", '#include <fstream>\n#include <rt/later.hpp>\n'
+                 'int main(int, char** w) { std::ofstream{w[2]} << "P3\\n2 1\\n255\\n1 2 3 4 5 6\\n"; }\n')
         self.course("tracer", "--from", "01")
-        said = self.course("tracer", code=1)
-        self.assertTrue(said.startswith("Graft 01: Any\n"), said)
+        said = self.course("tracer")
+        self.assertTrue(said.startswith("Your tracer, on the way to graft 02\n"), said)
+        self.assertIn("Your picture: out/tracer.png\n", said)
+        self.assertIn("\nNext: 01.1 Number one", said)
+        for word in ("Beside ours", "Stuck", "passes"):
+            self.assertNotIn(word, said)
+        self.assertTrue(self.course("tracer", "--graft", "01", code=1).startswith("Graft 01: Any\n"))
+        self.put("exercises/tracer/tracer.cpp", "int main() { return 3; }\n")
+        self.assertIn("No picture: ", self.course("tracer", code=1))
+        self.put("exercises/tracer/tracer.cpp", "no program\n")
         self.write("one", "right\n")  # it is checked first
         self.assertTrue(self.course("check", "tracer", code=1).startswith("Graft 02: Any\n"))
 
