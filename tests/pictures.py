@@ -30,6 +30,7 @@ OTHERS = {
     r"docs/images/(00-memory|10-packs|11-points)\.svg": "node book/live/still.mjs FIGURE",
     r"docs/images/.*\.svg": "written by hand",
     r"docs/images/00-first-\d\.png": "python3 tests/00_toolchain/first_steps.py . --draw",
+    r"docs/images/\d\d-tracer-.*\.png": "python3 tests/tracer_steps.py --draw",
     r"chapters/08_effects/scenes/planet\.png": "python3 chapters/08_effects/scenes/planet.py",
     r"tests/08_effects/fuzz/seeds/tiny\.png": "an input of a test, not a picture",
 }

@@ -9,6 +9,8 @@ links, HTML comments and names such as CMake.
 - Phrases that the texts do not use, such as "shall"; repeated words.
 - Sentences in a row that begin with So, But, And or Then, instead of being joined.
 - Lines over 125 columns, except for tables, images, code and HTML comments.
+- In the chapters that go idea by idea: more than 350 words in a row, outside of the folds, without a figure, a picture
+  or code.
 
 Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one, or if
 hunspell or its dictionary is missing.
@@ -28,6 +30,8 @@ FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "tests/mistakes/**/*.md
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
+IDEA_BY_IDEA = re.compile(r"03-\w+\.md")  # the chapters' texts
+WORDS_IN_A_ROW = 350
 HIDDEN = "¤"  # stands for each character that is left out: lines and columns stay
 
 # What is not prose in the pages, in the order in which it is hidden.
@@ -65,7 +69,6 @@ SAID = {
     r"by the clock": "in seconds",
     r"be it": "even if it is",
     r"(your|our) \d\d\.\d|\d\d\.\d['’]s": "the name of what it does",
-    r"the one (on|behind|at|above|below) the": "the noun instead of 'the one",
 }
 PHRASES = [(re.compile(rf"\b(?:{said})(?!\w)".replace(" ", r"\s+"), re.I), better) for said, better in SAID.items()]
 START = r"(?:\A|(?<=[.!?:;]\s)|(?<=\n\n)|(?<=[-#|>\"(] )|(?<=\d\. ))"
@@ -111,9 +114,9 @@ def phrases(text):
     ...             "say the\\n  the", "which one that is", "and be it one", "no end after 20 s", "functions of school",
     ...             "no more, any more.",
     ...             "right within 2", "the cosine behind", "there or not", "for a time of 0", "by the clock",
-    ...             "your 08.6", "in 03.3's loop", "the one on the left"):
+    ...             "your 08.6", "in 03.3's loop"):
     ...     assert len(list(phrases(bad))) == 1, bad
-    >>> for good in ("Who calls it? ", "the one who calls", "some hundreds of rays", "the ¤¤¤ the", "It had had one."):
+    >>> for good in ("Who calls it? ", "the one who calls", "the one on the left", "some hundreds of rays", "the ¤¤¤ the", "It had had one."):
     ...     assert not list(phrases(good)), good
     """
     for pattern, better in PHRASES:
@@ -155,6 +158,27 @@ def long_lines(text):
     for line in re.finditer(r".+", text):
         if len(line[0]) > COLUMNS and not re.match(r" *\||.*!\[|[ ¤]*$", line[0]):
             yield line.start(), f"{len(line[0])} columns: break the line before {COLUMNS}"
+
+
+def stretches(text, most=WORDS_IN_A_ROW):
+    """Where more words than these stand in a row, without a figure, a picture or code; a formula is one word.
+
+    >>> list(stretches("One two\\nthree.\\n", 2))
+    [(0, '3 words without a figure, a picture or code: show something before 2')]
+    >>> [list(stretches("One $t = 2$\\n" + shown + "\\n\\ntwo three.\\n", 2)) for shown in
+    ...  ("![A ball](ball.png)", "<!-- live: 03.roots -->", "```\\ncode with many words\\n```")]
+    [[], [], []]
+    >>> list(stretches("One\\n<details>\\n![A ball](ball.png) for the stars\\n</details>\\ntwo three.\\n", 2))
+    [(0, '3 words without a figure, a picture or code: show something before 2')]
+    """
+    text = re.sub(r"<details>.*?</details>", lambda fold: re.sub(r"[^\n]", " ", fold[0]), text, flags=re.S)
+    start = 0
+    for shown in re.finditer(r"^( *)```(?:.|\n)*?^\1```|^.*(?:!\[|<!-- live:).*$|\Z", text, re.M):
+        row = re.sub(r"<!--.*?-->", "", text[start:shown.start()], flags=re.S)
+        count = len(re.sub(r"\$\$.*?\$\$|\$[^$]+\$", "x", row, flags=re.S).split())
+        if count > most:
+            yield start, f"{count} words without a figure, a picture or code: show something before {most}"
+        start = shown.end()
 
 
 def words(text):
@@ -202,6 +226,8 @@ def main(named):
         found = list(phrases(text))
         if path.suffix in (".md", ".txt"):
             found += [*long_lines(text), *chains(text)]
+        if IDEA_BY_IDEA.fullmatch(path.name) and path.parent == ROOT / "docs":
+            found += stretches(whole)
         findings += [(path, line(start), what) for start, what in found]
         for start, word in words(text):
             uses.setdefault(word, []).append((path, line(start)))

@@ -97,6 +97,18 @@ int lines_to_write(const std::string& stub, const std::string& answer) {
     return static_cast<int>(written.size());
 }
 
+// Lines that blocks of ```diff add.
+int lines_typed(const std::string& markdown) {
+    int count = 0;
+    bool in_block = false;
+    std::istringstream lines{markdown};
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("```", 0) == 0) in_block = line == "```diff";
+        count += in_block && line.rfind('+', 0) == 0;
+    }
+    return count;
+}
+
 // The README is read before the first chapter.
 double read_minutes(const Course& course, const Chapter& chapter) {
     double minutes = reading_of(read_file(course.root / chapter.text)).minutes();
@@ -117,6 +129,30 @@ fs::path core_answer(const Course& course, const fs::path& stub) {
     return fs::exists(plain) ? plain : course.root / "solutions" / name;
 }
 
+// Where the section of a step ends in its chapter's text.
+std::size_t end_of_section(const std::string& text, const Step& step) {
+    const auto begin =
+        text.find(step.exercise ? "\n### " + step.exercise->id + ' ' : std::string{"\n## Graft"});
+    INFO(step.chapter.text << " needs a section of " << step.id());
+    REQUIRE(begin != std::string::npos);
+    return std::min({text.size(), text.find("\n## ", begin + 1), text.find("\n### ", begin + 1)});
+}
+
+// Lines that the text of an exercise has one type into one's own tracer, each of which the exercise
+// makes better. 00.1 is such a program from the start.
+int lines_for_the_tracer(const Course& course, const Step& step) {
+    if (step.chapter.number() == "00") return 0;
+    const std::string text = without_folds(read_file(course.root / step.chapter.text));
+    // From the end of the exercise before it in the text: the idea belongs to the exercise.
+    const std::size_t end = end_of_section(text, step);
+    std::size_t begin = 0;
+    for (const Step& other : route(course))
+        if (other.exercise && other.chapter.name == step.chapter.name)
+            if (const std::size_t its = end_of_section(text, other); its < end)
+                begin = std::max(begin, its);
+    return lines_typed(text.substr(begin, end - begin));
+}
+
 double written_minutes(const Course& course, const Step& step) {
     if (!step.exercise) {
         const fs::path answers = course.root / "solutions/tracer";
@@ -134,7 +170,8 @@ double written_minutes(const Course& course, const Step& step) {
     // 00.1 is copied from its text, and has no stub.
     if (step.id() == "00.1") return a_compiler + failed_checks(lines) + lines * a_copied_line;
     const double design = step.id() == "05.6" ? a_design : 0;  // only rules, and no formula
-    return a_stub + design + failed_checks(lines) + lines * an_invented_line;
+    return a_stub + design + failed_checks(lines) + lines * an_invented_line +
+           lines_for_the_tracer(course, step) * a_copied_line;
 }
 
 // The chapter of rungs: its text, the task, and the whole program once more.
@@ -153,15 +190,6 @@ struct Stop {
     Step step;
     double minutes = 0;  // from the course's first line on, with this step
 };
-
-// Where the section of a step ends in its chapter's text.
-std::size_t end_of_section(const std::string& text, const Step& step) {
-    const auto begin =
-        text.find(step.exercise ? "\n### " + step.exercise->id + ' ' : std::string{"\n## Graft"});
-    INFO(step.chapter.text << " needs a section of " << step.id());
-    REQUIRE(begin != std::string::npos);
-    return std::min({text.size(), text.find("\n## ", begin + 1), text.find("\n### ", begin + 1)});
-}
 
 // The README is read first. A text is read from its beginning, in parts: up to the end of a step's
 // section before that step, and its last part after the chapter's last step.
@@ -205,6 +233,10 @@ TEST_CASE("lines to write are those of code that the stub lacks", "[minutes]") {
               "#include <a>\nint f() {\n    return todo();\n}\n",
               "#include <b>\nint f() {\n    // a word\n    int a = 1;\n\n    return a;\n}\n") == 2);
     CHECK(lines_to_write("", "a\na\n}\n") == 2);
+}
+
+TEST_CASE("lines for the tracer are those that a text adds to it", "[minutes]") {
+    CHECK(lines_typed("+1\n```diff\n a\n-b\n+c\n+d\n```\n+ e\n```cpp\n+f\n```\n") == 2);
 }
 
 TEST_CASE("the minutes for reading are those of the text", "[minutes]") {

@@ -429,9 +429,10 @@ TEST_CASE("a chapter has all of its parts", "[structure]") {
         CHECK(program.find(".name = \"" + chapter.name + '"') != std::string::npos);
         CHECK(fs::exists(root / "docs/images" / chapter.picture()));
 
-        check_sections(text, {"What you will see", "The mathematics", "Build it", "Hard cases",
-                              "What accuracy costs", "Only what the scene calls for",
-                              "Common mistakes", "Where to read on"});
+        // Between the first two stand the ideas, each with its exercise.
+        check_sections(text,
+                       {"What you will see", "Hard cases", "What accuracy costs",
+                        "Only what the scene calls for", "Common mistakes", "Where to read on"});
         CHECK(text.rfind("# ", 0) == 0);
         CHECK(text.find("](images/" + chapter.picture() + ')') != std::string::npos);
         CHECK(text.find("](plots/" + chapter.name + '-') != std::string::npos);

@@ -17,13 +17,13 @@ namespace rt {
 // line passes within 3 epsilon (|f| + r) of the sphere's rim. docs/03-sphere.md derives the formula
 // and both bounds.
 inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Interval within) {
-    // Points at distance r from the center: a t^2 + 2 b t + c = 0.
+    // Points at distance r from the center: a t^2 + b t + c = 0.
     const Vec3 f = ray.origin - sphere.center;
     const Vec3 d = ray.direction;
-    const Real a = dot(d, d), b = dot(f, d);
+    const Real a = dot(d, d), b = 2 * dot(f, d);
     const Real r_squared = sphere.radius * sphere.radius;
 
-    // b^2 - a c would cancel if the sphere is far away or small. This difference equals
+    // b^2 - 4 a c would cancel if the sphere is far away or small. A quarter of it is
     // a r^2 - |f x d|^2, whose terms are small for a ray near the sphere. cross() of chapter 01
     // would also do, but its extra digits cost time and are of no use, because f is rounded
     // already.
@@ -32,7 +32,7 @@ inline std::optional<Real> hit_sphere(const Sphere& sphere, const Ray& ray, Inte
     if (!(a > 0 && quarter >= 0)) return {};  // most rays miss: they are done here
 
     const Real c = dot(f, f) - r_squared;
-    const auto roots = roots_from_discriminant(a, 2 * b, c, 4 * quarter);
+    const auto roots = roots_from_discriminant(a, b, c, 4 * quarter);
     if (!roots) return {};
     if (within.contains(roots->low)) return roots->low;
     if (within.contains(roots->high)) return roots->high;
