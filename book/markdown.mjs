@@ -155,6 +155,16 @@ md.core.ruler.push('live', ({ tokens }) => {
     }
 });
 
+// A paragraph in italics, all of it, is the caption of the picture above it.
+md.core.ruler.push('captions', ({ tokens }) => {
+    tokens.forEach(({ type, children }, i) => {
+        if (type !== 'inline' || tokens[i - 1]?.type !== 'paragraph_open') return;
+        const [first, ...rest] = children.filter(child => child.type !== 'text' || child.content);
+        if (first?.type === 'em_open' && rest.findIndex(child => child.type === 'em_close') === rest.length - 1)
+            tokens[i - 1].attrJoin('class', 'caption');
+    });
+});
+
 // Smart quotes leave out those between a sign and a letter: C++'s.
 md.core.ruler.push('apostrophes', ({ tokens }) => {
     for (const child of tokens.flatMap(({ children }) => children ?? []))

@@ -20,6 +20,8 @@ const here = dirname(fileURLToPath(import.meta.url)), course = dirname(here);
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const contrast = readFileSync(join(here, 'contrast.js'), 'utf8');
 const pages = readdirSync(folder).filter(name => name.endsWith('.html'));
+// Chapters that show something after each idea.
+const ideaByIdea = /^0[34]-(?!.*-(mistakes|studies))/;
 const most = 300_000;  // bytes of a page without its pictures
 
 const faults = [];
@@ -116,6 +118,18 @@ async function tryPage(name) {
         const images = [...document.images];
         for (const image of images) image.loading = 'eager';
         await Promise.all(images.map(image => image.complete || new Promise(end => { image.onload = image.onerror = end; })));
+        // Where the longest stretch without these begins and ends, above an element: [top, bottom].
+        const longestWithout = (what, end) => {
+            if (!end) return [0, 0];
+            let [bottom, longest] = [document.querySelector('main').getBoundingClientRect().top, [0, 0]];
+            for (const { top, bottom: next } of [...[...document.querySelectorAll(what)].filter(one => one.checkVisibility()), end]
+                .map(one => one.getBoundingClientRect()).sort((a, b) => a.top - b.top)) {
+                if (top > end.getBoundingClientRect().top) break;
+                if (top - bottom > longest[1] - longest[0]) longest = [bottom, top];
+                bottom = Math.max(bottom, next);
+            }
+            return longest;
+        };
         let [characters, lines] = [0, 0];  // in the paragraphs without formulas
         for (const p of document.querySelectorAll('main > p')) {
             if (p.querySelector('math, img')) continue;
@@ -139,6 +153,7 @@ async function tryPage(name) {
             line: lines > 5 ? characters / lines : 60,
             crowded: [...document.querySelectorAll('.graph .node')].filter(node =>
                 node.querySelector('text').getBBox().width > node.querySelector('path').getBBox().width - 6).map(node => node.textContent.trim()),
+            stretch: longestWithout('main :is(img, svg, .live, .code)', document.getElementById('where-to-read-on')),
             straight: [...document.querySelectorAll('main :is(p, li, td, h1, h2, h3, summary)')].filter(element => {
                 const own = element.cloneNode(true);
                 for (const code of own.querySelectorAll('code, pre, math, svg, .live')) code.remove();
@@ -151,6 +166,11 @@ async function tryPage(name) {
     check(found.broken.length === 0, `${name}: broken pictures: ${found.broken}`);
     check(found.unnamed.length === 0, `${name}: pictures without words: ${found.unnamed}`);
     check(found.ids.length === anchors.get(name).size, `${name}: an id that occurs twice`);
+    if (ideaByIdea.test(name)) {
+        const [top, bottom] = found.stretch;
+        check(bottom > 0 && bottom - top <= 1500,
+              `${name}: nothing but words for ${Math.round(bottom - top)} points, ${Math.round(top)} from the top`);
+    }
     check(found.titles === 1, `${name}: ${found.titles} titles`);
     check(found.empty === 0, `${name}: ${found.empty} empty heads of tables`);
     check(found.bare.length === 0, `${name}: links that are not underlined: ${found.bare}`);
