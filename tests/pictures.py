@@ -352,6 +352,10 @@ def schlick():
                    for m in (None, "05.4_schlick_inner_cosine")))
 
 
+def metal_glass(width, height, *box):
+    return lambda: draw("05_metal_glass_solution", width, height).part(*box)
+
+
 def furnace():
     return above(*(draw("08_effects_solution", 700, 140, "docs/hard-cases/furnace.json", mistake=m)
                    for m in (None, "05.2_absorbs_below")))
@@ -420,6 +424,9 @@ RECIPES = {
     "05-mistake-absorbs_below": rough_ball,
     "05-mistake-schlick_inner_cosine": schlick,
     "05-furnace": furnace,
+    "05-mirror": metal_glass(1200, 675, 0, 90, 250, 240),
+    "05-strip": metal_glass(800, 450, 0, 325, 800, 125),
+    "05-glass": metal_glass(1200, 675, 280, 235, 640, 250),
     "show": shown,
     "06-scene": threads_scene(),
     "08-mistake-only_the_last": effects_scene("glass", "08.1_only_the_last"),

@@ -30,7 +30,7 @@ FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "tests/mistakes/**/*.md
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
-IDEA_BY_IDEA = re.compile(r"0[34]-\w+\.md")  # the chapters' texts
+IDEA_BY_IDEA = re.compile(r"0[345]-\w+\.md")  # the chapters' texts
 WORDS_IN_A_ROW = 350
 HIDDEN = "¤"  # stands for each character that is left out: lines and columns stay
 
@@ -161,18 +161,21 @@ def long_lines(text):
 
 
 def stretches(text, most=WORDS_IN_A_ROW):
-    """Where more words than these stand in a row, without a figure, a picture or code; a formula is one word.
+    """Where more words than these stand in a row, without a figure, a picture or code; a formula is one word. The list
+    of sources at the end does not count.
 
     >>> list(stretches("One two\\nthree.\\n", 2))
     [(0, '3 words without a figure, a picture or code: show something before 2')]
     >>> [list(stretches("One $t = 2$\\n" + shown + "\\n\\ntwo three.\\n", 2)) for shown in
     ...  ("![A ball](ball.png)", "<!-- live: 03.roots -->", "```\\ncode with many words\\n```")]
     [[], [], []]
+    >>> list(stretches("One two\\n## Where to read on\\nthree", 2))
+    []
     >>> list(stretches("One\\n<details>\\n![A ball](ball.png) for the stars\\n</details>\\ntwo three.\\n", 2))
     [(0, '3 words without a figure, a picture or code: show something before 2')]
     """
     text = re.sub(r"<details>.*?</details>", lambda fold: re.sub(r"[^\n]", " ", fold[0]), text, flags=re.S)
-    start = 0
+    text, start = text.split("\n## Where to read on\n")[0], 0
     for shown in re.finditer(r"^( *)```(?:.|\n)*?^\1```|^.*(?:!\[|<!-- live:).*$|\Z", text, re.M):
         row = re.sub(r"<!--.*?-->", "", text[start:shown.start()], flags=re.S)
         count = len(re.sub(r"\$\$.*?\$\$|\$[^$]+\$", "x", row, flags=re.S).split())
