@@ -179,8 +179,8 @@ TEST_CASE("02.3 a camera that looks steeply up or down and one with a tiny up ha
         const ExactBasis exact = exact_basis(exact_vector(-at), up);
         const Basis b = rt::look_at({0, 0, 0}, at, up);
         INFO("look_at((0, 0, 0), " << checkpoint::text(at) << ", " << checkpoint::text(up)
-                                   << ") gives " << text(b)
-                                   << ", expected u = " << checkpoint::text(exact.u)
+                                   << "): " ACTUAL << text(b)
+                                   << ", " EXPECTED "u = " << checkpoint::text(exact.u)
                                    << ".\nHint: only if up x w is exactly zero is there no plane");
         CHECK(error_in_ulp_of_1(b.u, exact.u) <= 32 / sine_of(exact_vector(at), up));
     };

@@ -520,14 +520,14 @@ TEST_CASE("04.7 most_likely limits how likely a path is to go on", "[04.7]") {
                 Color c = before;
                 if (rt::play_roulette(c, most_likely, random) != rt::PathEnd::none) continue;
                 ++going;
-                INFO(paths << ": one goes on; expected the throughput " << text(before / p)
-                           << ", actual " << text(c)
+                INFO(paths << ": one goes on; " EXPECTED "the throughput " << text(before / p)
+                           << ", " ACTUAL << text(c)
                            << ".\nHint: divide by the probability, which is at most most_likely");
                 REQUIRE(is_near(c, before / p));
             }
             const double expected = count * static_cast<double>(p);
-            INFO(paths << ": expected that about " << expected << " of " << count
-                       << " go on, actual " << going
+            INFO(paths << ": " EXPECTED "that about " << expected << " of " << count
+                       << " go on, " ACTUAL << going
                        << ".\nHint: the probability is the largest channel, however small, but at "
                           "most most_likely");
             CHECK(std::abs(going - expected) <= 6 * std::sqrt(expected));

@@ -237,8 +237,8 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
          << ".\nHint: from inside, the light is seen in every direction");
     check_near(inside, 1 / (4 * rt::pi), 4 * rt::epsilon);
     const Real on_surface = rt::light_density({{3, 0, -4}, 5}, {0, 0, 0});
-    INFO("for a point on the surface, where the distance is the radius: expected "
-         << text(1 / (4 * rt::pi)) << ", but yours gives " << text(on_surface));
+    INFO("for a point on the surface, where the distance is the radius: " EXPECTED
+         << text(1 / (4 * rt::pi)) << ", " ACTUAL << text(on_surface));
     check_near(on_surface, 1 / (4 * rt::pi), 4 * rt::epsilon);
 }
 

@@ -304,9 +304,10 @@ TEST_CASE("08.4 a bounce adds no light that was sampled even if it was hidden", 
     lights.add(lit.lights.all()[0]);
     lights.sample = rt::ChosenLight{{{0, 1, 0}, 50, Real(1e9)}, {1, 1, 1}, &lights.all()[0]};
     const Mean mean = lit.mean(down, lights, rt::SkyEnding{}, 2, 200, 8);
-    INFO("mean of the light: "
+    INFO("mean of the light: " ACTUAL
          << mean.mean()
-         << ", expected 0.\nHint: a light that was sampled, but is hidden, is in the sample with "
+         << ", " EXPECTED
+            "0.\nHint: a light that was sampled, but is hidden, is in the sample with "
             "0. So `sampled` does not depend on what direct_light returns: otherwise partly hidden "
             "lamps are too bright");
     CHECK(mean.mean() <= 0.001);

@@ -101,7 +101,7 @@ void check_grid(const Corner& corner, Vec3 direction, rt::Rng& rng) {
                               turned(way / 9 * direction, side)};
                 const int hits = count_hits(surface, ray);
                 if (hits == 1) continue;
-                INFO(text(ray) << ": expected one hit of the grid, actual " << hits);
+                INFO(text(ray) << ": " EXPECTED "one hit of the grid, " ACTUAL << hits);
                 INFO(
                     "Hint: treat a ray through a corner as if it were moved a little, in the same "
                     "way for all triangles around it");
