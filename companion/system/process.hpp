@@ -10,10 +10,10 @@ namespace companion {
 
 // Where a program's output goes.
 enum class Output {
-    shown,         // where the companion's own output goes
-    printable,     // the same, but on a terminal stdout is made printable, and cut off at 1 MB
-    captured,      // into Result::output
-    errors_shown,  // stdout captured, stderr shown
+    shown,          // where the companion's own output goes
+    printable,      // the same, but on a terminal stdout is made printable, and cut off at 1 MB
+    captured,       // into Result::output
+    errors_shown,   // stdout captured, stderr shown
     errors_hidden,  // stdout captured, stderr dropped
     errors_only     // stderr captured, stdout dropped
 };

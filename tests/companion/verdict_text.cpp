@@ -33,8 +33,9 @@ TEST_CASE("numbers are shown as a person writes them", "[verdict_text]") {
     const std::string addresses = told(Failing{{failing(
         "x", "0x000055d0c0ffee00 == 0x000055d0c0ffee40 || 0x000055d0c0ffee00 == nullptr")}});
     CHECK(has(addresses, "address A == address B || address A == nullptr"));
-    CHECK(has(told(Failing{{failing("x", '-' + std::string(304, '5') + ".0 == 12.5")}}),
-              "-5.55e+303 == 12.5"));
+    std::string large(305, '5');
+    large[0] = '-';
+    CHECK(has(told(Failing{{failing("x", large + ".0 == 12.5")}}), "-5.55e+303 == 12.5"));
     // Hexadecimal fractions and short numbers stay.
     CHECK(has(told(Failing{{failing("x", "0x1.8000000p+1 == 0xff")}}), "0x1.8000000p+1 == 0xff"));
 }
