@@ -37,9 +37,9 @@ struct Layout {
 };
 
 // What a single ray sees, without any bounce.
-template <class World>
+template <World AnyWorld>
 struct SingleRays {
-    const World& world;
+    const AnyWorld& world;
     const Scene& scene;
 
     Color normal_color(const Ray& ray) const {
@@ -57,8 +57,8 @@ struct SingleRays {
     }
 };
 
-template <class Ending>
-app::Picture render_with(const Ending& ending, const app::Settings& settings,
+template <Ending AnyEnding>
+app::Picture render_with(const AnyEnding& ending, const app::Settings& settings,
                          app::Progress& progress) {
     const Scene scene = make_scene();
     if (!settings.show.empty())

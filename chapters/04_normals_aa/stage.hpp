@@ -17,8 +17,9 @@ struct Stage {
     // A small picture of the middle of the group: bright tops, creases, edges and ground.
     Camera camera = make_camera(group_view(), 16, 9);
 
-    template <class Ending, class Random>
-    Color sample(int x, int y, Vec2 offset, int depth, const Ending& ending, Random& random) const {
+    template <Ending AnyEnding, class Random>
+    Color sample(int x, int y, Vec2 offset, int depth, const AnyEnding& ending,
+                 Random& random) const {
         return path_radiance(make_ray(camera, x, y, offset, random), scene.world, scene.materials,
                              scene.sky, ending, depth, random);
     }
@@ -41,8 +42,8 @@ inline Pixels draw_independent(const Stage& stage, int samples, int depth, std::
 }
 
 // The chapter's own way: the sample points within the pixel are jittered, the bounces are not.
-template <class Ending>
-Pixels draw_jittered(const Stage& stage, const Quality& quality, const Ending& ending) {
+template <Ending AnyEnding>
+Pixels draw_jittered(const Stage& stage, const Quality& quality, const AnyEnding& ending) {
     Pixels pixels;
     for (int y = 0; y < stage.camera.height; ++y)
         for (int x = 0; x < stage.camera.width; ++x)
@@ -52,9 +53,9 @@ Pixels draw_jittered(const Stage& stage, const Quality& quality, const Ending& e
 }
 
 // The picture with sample points and bounces from an Owen-scrambled Sobol sequence.
-template <class Ending>
+template <Ending AnyEnding>
 Pixels draw_low_discrepancy(const Stage& stage, int samples, int depth, std::uint64_t seed,
-                            const Ending& ending) {
+                            const AnyEnding& ending) {
     Pixels pixels;
     for (int y = 0; y < stage.camera.height; ++y)
         for (int x = 0; x < stage.camera.width; ++x) {

@@ -6,12 +6,12 @@
 
 namespace rt {
 
-// A corner of a triangle, as indices into a mesh's lists. `normal` or `place` is -1 if the corner
+// A corner of a triangle, as indices into a mesh's lists. `normal` or `uv` is -1 if the corner
 // has none.
 struct Corner {
     int point = 0;
     int normal = -1;
-    int place = -1;  // texture coordinates
+    int uv = -1;  // texture coordinates
 
     friend constexpr bool operator==(const Corner&, const Corner&) = default;
 };
@@ -22,7 +22,7 @@ struct Corner {
 struct Mesh {
     std::vector<Vec3> points;
     std::vector<Vec3> normals;  // length 1, outward
-    std::vector<Vec2> places;  // (0, 0) is an image's lower left corner, (1, 1) the upper right one
+    std::vector<Vec2> uvs;  // (0, 0) is an image's lower left corner, (1, 1) the upper right one
     std::vector<std::array<Corner, 3>> triangles;
 };
 

@@ -117,7 +117,7 @@ Polygons read_obj(const std::string& bytes) {
         all.normals.push_back(
             {number(lists.normals[i]), number(lists.normals[i + 1]), number(lists.normals[i + 2])});
     for (std::size_t i = 0; i + 1 < lists.texcoords.size(); i += 2)
-        all.places.push_back({number(lists.texcoords[i]), number(lists.texcoords[i + 1])});
+        all.uvs.push_back({number(lists.texcoords[i]), number(lists.texcoords[i + 1])});
     for (const tinyobj::shape_t& shape : shapes) {
         std::size_t next = 0;
         for (const auto corners : shape.mesh.num_face_vertices) {

@@ -10,7 +10,7 @@ namespace rt {
 struct Polygons {
     std::vector<Vec3> points;
     std::vector<Vec3> normals;  // of any length
-    std::vector<Vec2> places;
+    std::vector<Vec2> uvs;
     std::vector<std::vector<Corner>> polygons;
 };
 

@@ -98,29 +98,29 @@ struct Direct {
         const AtThatTime world{lit.world};
         rt::Rng random{1, 1};
         const rt::TimedRay ray{{0, Real(0.5), 0}, {0, -1, 0}, Real(0.25)};
-        const auto place = rt::next_place(ray, world, lit.materials, lit.fog, random);
+        const auto vertex = rt::next_vertex(ray, world, lit.materials, lit.fog, random);
         rt::Rng before = random;
         world.asked = 0;
-        const Color color = rt::direct_light(ray, world, lights, place, goes_on, random);
+        const Color color = rt::direct_light(ray, world, lights, vertex, goes_on, random);
         before();
         INFO("lights.choose draws from `random`; direct_light itself must draw nothing");
         CHECK(random() == before());
-        INFO("lights.choose must be called with place.point");
-        CHECK(lights.asked_from == place.point);
+        INFO("lights.choose must be called with vertex.point");
+        CHECK(lights.asked_from == vertex.point);
         asked = world.asked;
-        if (asked > 0) check_shadow_ray(world.last, place);
+        if (asked > 0) check_shadow_ray(world.last, vertex);
         return color;
     }
-    template <class Place>
-    void check_shadow_ray(const Ray& ray, const Place& place) const {
-        const Vec3 direction = lights.sample->sample.direction, origin = place.origin(direction);
+    template <class Vertex>
+    void check_shadow_ray(const Ray& ray, const Vertex& vertex) const {
+        const Vec3 direction = lights.sample->sample.direction, origin = vertex.origin(direction);
         const auto check = [](Vec3 found, Vec3 expected, const char* hint) {
             if (rt::length(found - expected) <= 64 * rt::epsilon) return;
             INFO("Hint: before you call sees_light, set " << hint);
             CHECK(checkpoint::text(found) == checkpoint::text(expected));
         };
         check(ray.direction, direction, "ray.direction to the direction of the sample");
-        check(ray.origin, origin, "ray.origin to place.origin(direction of the sample)");
+        check(ray.origin, origin, "ray.origin to vertex.origin(direction of the sample)");
     }
 };
 
@@ -141,10 +141,10 @@ TEST_CASE("08.4 one sample of direct light has the value of the formula", "[08.4
         Direct direct{up, 5, density};
         direct.goes_on = false;
         const Color found = direct();
-        INFO("the place has the density " << text(toward) << ", the sample " << text(density));
+        INFO("the vertex has the density " << text(toward) << ", the sample " << text(density));
         {
             INFO(
-                "Hint: the light is above the floor, and nothing is in the way. Ask place.density "
+                "Hint: the light is above the floor, and nothing is in the way. Ask vertex.density "
                 "for the direction of the sample, and then sees_light, once");
             REQUIRE(direct.asked == 1);
         }
@@ -153,7 +153,7 @@ TEST_CASE("08.4 one sample of direct light has the value of the formula", "[08.4
                          "nothing is in the way, but no light arrives: set both members of the ray "
                          "before you call sees_light");
         check_direct(found, toward / density * radiance,
-                     "divide the place's density by the sample's density, and multiply by the "
+                     "divide the vertex's density by the sample's density, and multiply by the "
                      "radiance; if you use weights, the weight is 1 if the path does not go on");
     }
 }
@@ -162,11 +162,11 @@ TEST_CASE("08.4 a sample is multiplied by its weight if the path goes on", "[08.
     const Real toward = Real(0.8) / rt::pi;
     for (const Real density : {Real(0.1), Real(0.5), Real(40)}) {
         Direct direct{{Real(0.6), Real(0.8), 0}, 5, density};
-        INFO("the place has the density " << text(toward) << ", the sample " << text(density));
+        INFO("the vertex has the density " << text(toward) << ", the sample " << text(density));
         const Real weight = density * density / (density * density + toward * toward);
         check_direct(direct(), toward / density * weight * Color{2, 3, 4},
                      "multiply by the sample's weight, which is shared_weight(sample.density, "
-                     "density of the place)");
+                     "density of the vertex)");
     }
 }
 
@@ -174,14 +174,14 @@ TEST_CASE("08.4 a light that is hidden or behind the surface gives no light", "[
     const Color black;
     Direct direct{{0, 1, 0}, 5, 1};
     direct.lit.world.spheres.push_back({{{0, 3, 0}, Real(0.5)}, 0});
-    check_direct(direct(), black, "a sphere is between the place and the light: call sees_light");
+    check_direct(direct(), black, "a sphere is between the vertex and the light: call sees_light");
     Direct behind{{0, 1, 0}, 5, 1};
     behind.goes_on = false;
     behind.lit.world.spheres.push_back({{{0, 8, 0}, Real(0.5)}, 0});
     check_direct(behind(), Color{2, 3, 4} / rt::pi, "an object behind the light is not in the way");
     Direct below{{1, Real(-0.5), 0}, 5, 1};
     const char* const behind_the_surface =
-        "the light lies below the floor: the place's density is 0 there, so return black at once";
+        "the light lies below the floor: the vertex's density is 0 there, so return black at once";
     check_direct(below(), black, behind_the_surface);
     {
         INFO("Hint: " << behind_the_surface << ", without a call of sees_light");
@@ -198,7 +198,7 @@ TEST_CASE("08.4 direct light comes through the fog", "[08.4][hard]") {
     // The way is 5 units long, and 2 of them are foggy; the ray to the floor stays outside.
     direct.lit.fog = {{{{0, 3, 0}, 1}, Real(0.5), {1, 1, 1}, 0}};
     check_direct(direct(), std::exp(Real(-1)) / rt::pi * Color{2, 3, 4},
-                 "multiply by place.fog.gets_through(ray, sample.distance), where ray is the ray "
+                 "multiply by vertex.fog.gets_through(ray, sample.distance), where ray is the ray "
                  "to the light");
 }
 
@@ -262,7 +262,8 @@ TEST_CASE("08.4 a matte bounce draws random numbers to sample a light and a mirr
         for (int i = 0; i < of_material; ++i) expected.uniform();
         if (asks) expected();
         INFO(
-            "Hint: pass the same generator to place.scatter and to direct_light. Call direct_light "
+            "Hint: pass the same generator to vertex.scatter and to direct_light. Call "
+            "direct_light "
             "only where the density of the bounce is greater than 0");
         CHECK(random() == expected());
     };
@@ -446,7 +447,7 @@ TEST_CASE("08.4 sampling lights and finding them by chance give equal means", "[
     room.add({{0, 0, 0}, 4}, gray_matte);
     room.add_light({{0, 2, 0}, 1}, {2, 3, 4});
     check_both_ways(room, to_floor, 5000);
-    // Rough metal, for which place.shared_density and place.density differ.
+    // Rough metal, for which vertex.shared_density and vertex.density differ.
     Lit rough;
     rough.add(floor_ball, rt::Metal{{1, 1, 1}, Real(0.5)});
     rough.add_light({{0, 3, 0}, 1}, {2, 3, 4});
@@ -493,7 +494,7 @@ TEST_CASE("08.4 a light that a bounce meets is weighted from the bounce's point"
                               rt::BlackEnding{}, 9, random);
     INFO(
         "Hint: if the path meets a light, ask lights.density for the point of the last bounce: "
-        "keep place.point at each bounce, before the ray goes on");
+        "keep vertex.point at each bounce, before the ray goes on");
     CHECK(lights.times > 0);
     CHECK(lights.wrong == "");
 }

@@ -126,14 +126,14 @@ TEST_CASE("12.5 polygons with any number of corners keep the order of their corn
 TEST_CASE("12.5 each corner keeps its normal and its texture coordinates", "[12.5]") {
     Polygons all = square();
     all.normals = {{0, 0, 5}, {3, 0, 4}, {0, 4, 3}};  // no corner has the last one
-    all.places = {{0, 0}, {1, 0}, {1, 1}};
+    all.uvs = {{0, 0}, {1, 0}, {1, 1}};
     all.polygons = {{{0, 0, 0}, {1, 1, 1}, {2, -1, 2}, {3, 0, -1}}};
     const Mesh mesh = rt::make_mesh(all);
     REQUIRE(mesh.triangles.size() == 2);
-    REQUIRE(mesh.places.size() == 3);
+    REQUIRE(mesh.uvs.size() == 3);
     for (std::size_t i = 0; i < 3; ++i) {
         INFO("Hint: the texture coordinates stay as they are; y grows upward in a mesh, too");
-        CHECK((mesh.places[i].x == all.places[i].x && mesh.places[i].y == all.places[i].y));
+        CHECK((mesh.uvs[i].x == all.uvs[i].x && mesh.uvs[i].y == all.uvs[i].y));
     }
     for (const auto& triangle : mesh.triangles)
         for (const Corner& corner : triangle) {
@@ -141,7 +141,7 @@ TEST_CASE("12.5 each corner keeps its normal and its texture coordinates", "[12.
             INFO("the corner at point " << corner.point);
             INFO("Hint: move whole corners, each with its three indices");
             CHECK(corner.normal == given.normal);
-            CHECK(corner.place == given.place);
+            CHECK(corner.uv == given.uv);
         }
     {
         INFO("Hint: normalize the normals");
@@ -159,7 +159,7 @@ TEST_CASE("12.5 indices out of range are refused", "[12.5]") {
     const auto with_third = [](const std::vector<Corner>& polygon) {
         Polygons all = square();
         all.normals = {{0, 0, 1}};
-        all.places = {{0, 0}};
+        all.uvs = {{0, 0}};
         all.polygons = {corners({0, 1, 2}), corners({0, 2, 3}), polygon, corners({0, 1, 2})};
         return all;
     };
@@ -257,7 +257,7 @@ TEST_CASE("12.5 the normals of a ball point outward", "[12.5]") {
 TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
     Polygons all = square();
     all.normals = {{1, 0, 0}, {0, 1, 0}};
-    all.places = {{0, 0}, {1, 1}};
+    all.uvs = {{0, 0}, {1, 1}};
     all.polygons = {{{0, 1, 0}, {1, -1, 1}, {2, 0, -1}, {3, -1, -1}}};
     Mesh mesh = rt::make_mesh(all);
     rt::add_normals(mesh);
@@ -265,7 +265,7 @@ TEST_CASE("12.5 normals given in the file are kept", "[12.5]") {
         for (const Corner& corner : triangle) {
             INFO("the corner at point " << corner.point);
             INFO("Hint: a new normal changes nothing else in a corner");
-            CHECK(corner.place == all.polygons[0].at(static_cast<std::size_t>(corner.point)).place);
+            CHECK(corner.uv == all.polygons[0].at(static_cast<std::size_t>(corner.point)).uv);
         }
     const auto expected_at = [](int point) {
         return point == 0 ? Vec3{0, 1, 0} : point == 2 ? Vec3{1, 0, 0} : Vec3{0, 0, 1};

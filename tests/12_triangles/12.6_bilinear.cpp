@@ -13,14 +13,14 @@ std::string text_of(Color c) {
     return '(' + text(c.r) + ", " + text(c.g) + ", " + text(c.b) + ')';
 }
 
-void check_color(const Image& image, Vec2 place, Color expected, const char* hint,
+void check_color(const Image& image, Vec2 uv, Color expected, const char* hint,
                  Real near = 100 * rt::epsilon) {
-    const Color actual = rt::bilinear(image, place);
+    const Color actual = rt::bilinear(image, uv);
     const bool right = std::abs(actual.r - expected.r) <= near &&
                        std::abs(actual.g - expected.g) <= near &&
                        std::abs(actual.b - expected.b) <= near;
     if (!right) {
-        INFO("at the texture coordinates (" << text(place.x) << ", " << text(place.y)
+        INFO("at the texture coordinates (" << text(uv.x) << ", " << text(uv.y)
                                             << ") of an image of " << image.width() << " x "
                                             << image.height() << " pixels");
         INFO(EXPECTED << text_of(expected) << "\n" ACTUAL << text_of(actual));
@@ -111,11 +111,11 @@ TEST_CASE("12.6 beyond its edges the image repeats", "[12.6]") {
     check_color(image, {real(0.0625), real(0.0625)}, {0, real(2.25), 1}, hint);
     rt::Rng rng{126, 2};
     for (int i = 0; i < 2000; ++i) {
-        const Vec2 place{rng.uniform(), rng.uniform()};
-        const Color once = rt::bilinear(image, place);
+        const Vec2 uv{rng.uniform(), rng.uniform()};
+        const Color once = rt::bilinear(image, uv);
         for (const Vec2 away : {Vec2{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {3, -5}, {-7, 2}})
             check_color(
-                image, {place.x + away.x, place.y + away.y}, once,
+                image, {uv.x + away.x, uv.y + away.y}, once,
                 "one whole image farther on, the color is the same, also at negative coordinates",
                 real(1e3) * rt::epsilon);
     }

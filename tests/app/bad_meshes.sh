@@ -9,8 +9,8 @@ mesh back.json "${corners}f 1 2 -4\n"
 refuses back.json 'meshes\[0\].file.*polygon 1'
 mesh zero.json "${corners}f 0 1 2\n"
 refuses zero.json 'meshes\[0\].file.*line 4'
-mesh place.json "${corners}f 1/1 2/1 3/1\n"
-refuses place.json 'meshes\[0\].file.*polygon 1: the place'
+mesh texture.json "${corners}f 1/1 2/1 3/1\n"
+refuses texture.json 'meshes\[0\].file.*polygon 1: the texture coordinate'
 mesh word.json 'v 0 0 0\nv 1 oh 0\n'
 refuses word.json "meshes\[0\].file.*line 2 has 'oh'"
 mesh nan.json 'v 0 nan 0\n'

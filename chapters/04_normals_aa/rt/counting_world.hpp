@@ -1,16 +1,14 @@
 #pragma once
 #include <cstdint>
-#include <optional>
-#include <rt/hit.hpp>
-#include <rt/interval.hpp>
+#include <rt/world.hpp>
 
 namespace rt {
 
 // A world that counts the rays traced through it (given). Where no rays are counted, this costs
 // nothing.
-template <class World>
+template <World AnyWorld>
 struct CountingWorld {
-    const World& world;
+    const AnyWorld& world;
     std::uint64_t& rays;
 
     template <class AnyRay>

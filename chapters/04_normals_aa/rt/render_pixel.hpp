@@ -4,6 +4,7 @@
 #include <rt/path.hpp>
 #include <rt/primary_ray.hpp>
 #include <rt/rng.hpp>
+#include <rt/world.hpp>
 
 namespace rt {
 
@@ -23,9 +24,9 @@ Ray make_ray(const Camera& camera, int column, int row, Vec2 offset, Random& /*r
 
 // The color of one pixel (given): the light along the path of each sample, averaged. The color
 // depends on the arguments alone. The types are those of path_radiance.
-template <class AnyCamera, class World, class Materials, class Sky, class Ending>
-Color render_pixel(const AnyCamera& camera, const World& world, const Materials& materials,
-                   const Sky& sky, const Ending& ending, const Quality& quality, int column,
+template <class AnyCamera, World AnyWorld, class Materials, class Sky, Ending AnyEnding>
+Color render_pixel(const AnyCamera& camera, const AnyWorld& world, const Materials& materials,
+                   const Sky& sky, const AnyEnding& ending, const Quality& quality, int column,
                    int row) {
     Rng random = pixel_rng(quality.seed, column, row);
     return pixel_average(quality.samples_per_pixel, random, [&](Vec2 offset) {

@@ -8,9 +8,9 @@ namespace rt {
 
 // Draws what --show asks for, in a program that follows paths (given): path(ray, world, random)
 // gives the light of one path.
-template <class AnyCamera, class World, class Path>
+template <class AnyCamera, World AnyWorld, class Path>
 app::Picture show_world(const app::Settings& settings, app::Progress& progress,
-                        const AnyCamera& camera, const World& world, const Path& path,
+                        const AnyCamera& camera, const AnyWorld& world, const Path& path,
                         Strategy strategy = app::one_row_after_another,
                         SphereNumber number = &Hit::shape) {
     const std::string& word = settings.show;
@@ -23,10 +23,10 @@ app::Picture show_world(const app::Settings& settings, app::Progress& progress,
 }
 
 // The same, with the camera that the settings describe and the path loop of chapter 04.
-template <class World, class Materials, class Sky, class Ending>
-app::Picture show_paths(const app::Settings& settings, app::Progress& progress, const World& world,
-                        const Materials& materials, const Sky& sky, const Ending& ending,
-                        Strategy strategy = app::one_row_after_another) {
+template <World AnyWorld, class Materials, class Sky, Ending AnyEnding>
+app::Picture show_paths(const app::Settings& settings, app::Progress& progress,
+                        const AnyWorld& world, const Materials& materials, const Sky& sky,
+                        const AnyEnding& ending, Strategy strategy = app::one_row_after_another) {
     const Camera camera = make_camera(*settings.view, settings.width, settings.height);
     const auto path = [&](const Ray& ray, const auto& counting, Rng& random) {
         return path_radiance(ray, counting, materials, sky, ending, settings.depth, random);

@@ -6,9 +6,9 @@ namespace rt {
 
 // The picture that --show asks for, drawn by a tracer that follows paths (given). The arguments are
 // the call, the scene and those of render_pixel.
-template <class AnyCamera, class World, class Materials, class Sky>
+template <class AnyCamera, World AnyWorld, class Materials, class Sky>
 Image shown_image(const TracerCall& call, const SceneText& scene, const AnyCamera& camera,
-                  const World& world, const Materials& materials, const Sky& sky,
+                  const AnyWorld& world, const Materials& materials, const Sky& sky,
                   const Quality& quality) {
     expect(call.show != "samples" || quality.samples_per_pixel > 1, "2 samples or more to compare");
     const auto path = [&](const Ray& ray, const auto& counting, Rng& random) {

@@ -7,9 +7,9 @@
 namespace rt {
 
 // A world that counts the hits along a path (given).
-template <class World>
+template <World AnyWorld>
 struct HitCounter {
-    const World& world;
+    const AnyWorld& world;
     int& hits;
 
     template <class AnyRay>
@@ -30,8 +30,8 @@ struct HitCounter {
 using SphereNumber = int Hit::*;
 
 // What a word of --show tells about a ray: its direction, or what it meets first.
-template <class AnyRay, class World>
-Shown show_hit(const std::string& word, const AnyRay& ray, const World& world,
+template <class AnyRay, World<AnyRay> AnyWorld>
+Shown show_hit(const std::string& word, const AnyRay& ray, const AnyWorld& world,
                SphereNumber number = &Hit::shape) {
     if (word == "direction") return ray.direction;
     const std::optional<Hit> hit = world.hit(ray, Interval{0, infinity});
@@ -52,8 +52,8 @@ inline Real deviation_of(const std::vector<Real>& numbers) {
 
 // What a word of --show tells about a pixel (given): path(ray, world, random) gives the light of
 // one path.
-template <class AnyCamera, class World, class Path>
-Shown shown_pixel(const std::string& word, const AnyCamera& camera, const World& world,
+template <class AnyCamera, World AnyWorld, class Path>
+Shown shown_pixel(const std::string& word, const AnyCamera& camera, const AnyWorld& world,
                   const Path& path, int samples, std::uint64_t seed, int x, int y,
                   SphereNumber number = &Hit::shape) {
     Rng random = pixel_rng(seed, x, y);
@@ -64,7 +64,7 @@ Shown shown_pixel(const std::string& word, const AnyCamera& camera, const World&
     std::vector<Real> lights;
     pixel_average(samples, random, [&](Vec2 offset) {
         const Color light =
-            path(make_ray(camera, x, y, offset, random), HitCounter<World>{world, hits}, random);
+            path(make_ray(camera, x, y, offset, random), HitCounter<AnyWorld>{world, hits}, random);
         lights.push_back((light.r + light.g + light.b) / 3);
         return light;
     });

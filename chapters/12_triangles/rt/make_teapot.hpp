@@ -36,8 +36,8 @@ class TeapotBuilder {
                     curve[i] = bezier(control, around);
                 }
                 const Vec3 point = bezier(curve, down);
-                mesh.places.push_back({from + around * (to - from), point.y / height});
-                corners.push_back({number_of(point), -1, static_cast<int>(mesh.places.size()) - 1});
+                mesh.uvs.push_back({from + around * (to - from), point.y / height});
+                corners.push_back({number_of(point), -1, static_cast<int>(mesh.uvs.size()) - 1});
             }
         const bool turned = mirror_x * mirror_z > 0;  // Newell's patches go around clockwise
         for (int row = 0; row < n_; ++row)

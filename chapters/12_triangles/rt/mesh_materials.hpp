@@ -22,21 +22,21 @@ inline Vec2 weights_at(const Triangle& triangle, Vec3 point) {
 }
 
 // The triangle that was hit, and the weights of its corners at the hit.
-class MeshPlace {
+class MeshPoint {
   public:
-    MeshPlace(const Mesh& mesh, const Hit& hit)
+    MeshPoint(const Mesh& mesh, const Hit& hit)
         : mesh_{mesh}, corners_{mesh.triangles[static_cast<std::size_t>(triangle_number(hit))]} {
         const auto point = [&](std::size_t k) {
             return mesh.points[static_cast<std::size_t>(corners_[k].point)];
         };
-        if (has_normals() || has_places())
+        if (has_normals() || has_uvs())
             weights_ = weights_at({point(0), point(1), point(2)}, hit.point);
     }
     bool has_normals() const {
         return corners_[0].normal >= 0 && corners_[1].normal >= 0 && corners_[2].normal >= 0;
     }
-    bool has_places() const {
-        return corners_[0].place >= 0 && corners_[1].place >= 0 && corners_[2].place >= 0;
+    bool has_uvs() const {
+        return corners_[0].uv >= 0 && corners_[1].uv >= 0 && corners_[2].uv >= 0;
     }
     // The normal of the curved surface that the triangle stands for.
     Vec3 normal(Vec3 flat) const {
@@ -47,9 +47,9 @@ class MeshPlace {
         return smooth_normal(normals, weights_.x, weights_.y, flat);
     }
     // The texture coordinates.
-    Vec2 place() const {
+    Vec2 uv() const {
         const auto at = [&](std::size_t k) {
-            return mesh_.places[static_cast<std::size_t>(corners_[k].place)];
+            return mesh_.uvs[static_cast<std::size_t>(corners_[k].uv)];
         };
         const Vec2 a = at(0), b = at(1), c = at(2);
         const Real u = weights_.x, v = weights_.y, rest = 1 - u - v;
@@ -89,7 +89,7 @@ struct MeshMaterials {
     template <class Random>
     std::optional<Scatter> operator()(Vec3 incoming, const Hit& hit, Random& random) const {
         if (!is_triangle(hit)) return materials(incoming, hit, random);
-        const MeshPlace at{*mesh, hit};
+        const MeshPoint at{*mesh, hit};
         Hit smooth = hit;
         smooth.normal = at.normal(hit.normal);
         // A material that scatters light in all directions needs no bent normal. Besides,
@@ -98,8 +98,8 @@ struct MeshMaterials {
             smooth.normal = bent_normal(smooth.normal, hit.normal, incoming);
         const Image* const image = image_of(materials, hit);
         std::optional<Scatter> bounce =
-            image && at.has_places()
-                ? scatter(Lambertian{bilinear(*image, at.place())}, incoming, smooth, random)
+            image && at.has_uvs()
+                ? scatter(Lambertian{bilinear(*image, at.uv())}, incoming, smooth, random)
                 : materials(incoming, smooth, random);
         if (bounce) bounce->direction = keep_side(bounce->direction, smooth.normal, hit.normal);
         return bounce;
@@ -114,7 +114,7 @@ Real scatter_density(const MeshMaterials<Materials>& set, const Hit& hit, Vec3 d
     if (!is_triangle(hit)) return scatter_density(set.materials, hit, direction);
     if (!(dot(direction, facing_normal(hit)) > 0)) return 0;
     Hit smooth = hit;
-    smooth.normal = MeshPlace{*set.mesh, hit}.normal(hit.normal);
+    smooth.normal = MeshPoint{*set.mesh, hit}.normal(hit.normal);
     return scatter_density(set.materials, smooth, direction) +
            scatter_density(set.materials, smooth, reflect(direction, hit.normal));
 }

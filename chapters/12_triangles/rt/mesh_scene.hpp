@@ -21,6 +21,7 @@ struct MeshedDescription : SceneDescription {
 
 template <class Use>
 void for_other_shapes(const MeshedDescription& scene, const Use& use) {
+    for_other_shapes(static_cast<const SceneDescription&>(scene), use);
     for (const MeshDescription& mesh : scene.meshes) use(mesh.material);
 }
 

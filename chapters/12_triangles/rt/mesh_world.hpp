@@ -33,7 +33,7 @@ struct SceneMeshes {
             for (Corner& corner : triangle)
                 corner = {moved(corner.point, mesh.points.size()),
                           moved(corner.normal, mesh.normals.size()),
-                          moved(corner.place, mesh.places.size())};
+                          moved(corner.uv, mesh.uvs.size())};
             mesh.triangles.push_back(triangle);
         }
         mesh.points.insert(mesh.points.end(), placed.points.begin(), placed.points.end());
@@ -41,7 +41,7 @@ struct SceneMeshes {
             const Vec3 turned = transform_normal(back, normal);
             mesh.normals.push_back(turned == Vec3{} ? turned : normalize(turned));
         }
-        mesh.places.insert(mesh.places.end(), part.places.begin(), part.places.end());
+        mesh.uvs.insert(mesh.uvs.end(), part.uvs.begin(), part.uvs.end());
     }
 };
 

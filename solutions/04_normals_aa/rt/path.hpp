@@ -13,11 +13,11 @@ namespace rt {
 // the sky, is absorbed, or has bounced `depth` times (at least 1): then `ending` decides. The
 // arguments may have any types that do the following:
 //   ray        has an origin and a direction; whatever else it carries stays as it is
-//   world      world.hit(ray, interval) gives the nearest hit as std::optional<Hit>
+//   world      is a World: world.hit(ray, interval) gives the nearest hit
 //   materials  materials(direction, hit, random) gives std::optional<Scatter>, none if absorbed
 //   sky        sky(direction) gives the Color of the light from there
-//   ending     ending(throughput, random) gives the PathEnd of a path that has made its bounces
-//   random     random.uniform() gives a random number in [0, 1)
+//   ending     is an Ending: ending(throughput, random) decides about a path that has made its
+//   bounces random     random.uniform() gives a random number in [0, 1)
 template <class AnyRay, class World, class Materials, class Sky, class Ending, class Random>
 Color path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
                     const Ending& ending, int depth, Random& random) {

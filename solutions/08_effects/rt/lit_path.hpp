@@ -1,31 +1,31 @@
 #pragma once
 #include <optional>
 #include <rt/ending.hpp>
-#include <rt/place.hpp>
+#include <rt/path_vertex.hpp>
 #include <rt/shared_weight.hpp>
 
 namespace rt {
 
 // Next-event estimation: the light that comes straight from one of the lights, chosen at random,
-// and that this place scatters toward the eye. `ray` provides what a ray has besides an origin and
-// a direction. Star: if the path goes on, it may find the light by itself, and the two samples
-// share the light according to their weights. In the core there are no weights: a light that a path
-// finds counts in full where no light was sampled, and otherwise not at all.
+// and that this vertex of the path scatters toward the eye. `ray` provides what a ray has besides
+// an origin and a direction. Star: if the path goes on, it may find the light by itself, and the
+// two samples share the light according to their weights. In the core there are no weights: a light
+// that a path finds counts in full where no light was sampled, and otherwise not at all.
 template <class AnyRay, class World, class Lights, class Materials, class Medium, class Random>
 Color direct_light(AnyRay ray, const World& world, const Lights& lights,
-                   const Place<Materials, Medium>& place, [[maybe_unused]] bool goes_on,
+                   const PathVertex<Materials, Medium>& vertex, [[maybe_unused]] bool goes_on,
                    Random& random) {
-    const std::optional<ChosenLight> chosen = lights.choose(place.point, random);
+    const std::optional<ChosenLight> chosen = lights.choose(vertex.point, random);
     if (!chosen) return {};
     const LightSample& sample = chosen->sample;
-    const Real toward = place.shared_density(sample.direction);
+    const Real toward = vertex.shared_density(sample.direction);
     if (!(toward > 0)) return {};
-    ray.origin = place.origin(sample.direction);
+    ray.origin = vertex.origin(sample.direction);
     ray.direction = sample.direction;
     if (!sees_light(world, ray, *chosen)) return {};
     const Real weight = goes_on ? shared_weight(sample.density, toward) : Real(1);
     const Real share =
-        toward / sample.density * weight * place.fog.gets_through(ray, sample.distance);
+        toward / sample.density * weight * vertex.fog.gets_through(ray, sample.distance);
     return share * chosen->radiance;
 }
 
@@ -44,28 +44,28 @@ Color lit_path_radiance(AnyRay ray, const World& world, const Materials& materia
     Vec3 from;
     Real drawn = 0;
     for (int bounces = 1;; ++bounces) {
-        const auto place = next_place(ray, world, materials, fog, random);
-        if (place.is_sky()) return light + throughput * sky(ray.direction);
-        if (const Light* const found = place.light(lights)) {
+        const auto vertex = next_vertex(ray, world, materials, fog, random);
+        if (vertex.is_sky()) return light + throughput * sky(ray.direction);
+        if (const Light* const found = vertex.light(lights)) {
             const Real weight =
                 drawn > 0 ? shared_weight(drawn, lights.density(*found, from)) : Real(1);
             return light + throughput * (weight * found->radiance);
         }
 
-        const std::optional<Scatter> bounce = place.scatter(random);
+        const std::optional<Scatter> bounce = vertex.scatter(random);
         if (!bounce) return light;
         throughput *= bounce->attenuation;
         const Color arriving = throughput;  // the share of light from here that reaches the eye
         const PathEnd end = bounces < depth ? PathEnd::none : ending(throughput, random);
         if (!lights.empty()) {
-            drawn = place.shared_density(bounce->direction);
+            drawn = vertex.shared_density(bounce->direction);
             if (drawn > 0)
                 light += arriving *
-                         direct_light(ray, world, lights, place, end != PathEnd::in_sky, random);
+                         direct_light(ray, world, lights, vertex, end != PathEnd::in_sky, random);
         }
         if (end == PathEnd::in_black) return light;
-        from = place.point;
-        ray.origin = place.origin(bounce->direction);
+        from = vertex.point;
+        ray.origin = vertex.origin(bounce->direction);
         ray.direction = bounce->direction;
         if (end == PathEnd::in_sky) return light + throughput * sky(ray.direction);
     }

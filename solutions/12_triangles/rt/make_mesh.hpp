@@ -43,7 +43,7 @@ inline void expect_number(int number, std::size_t count, const std::string& name
 // length 0 is left without a normal. Throws std::invalid_argument if a polygon has fewer than three
 // corners, or if an index has no entry in its list. The message names the polygon, counted from 1.
 inline Mesh make_mesh(const Polygons& from) {
-    Mesh mesh{from.points, from.normals, from.places, {}};
+    Mesh mesh{from.points, from.normals, from.uvs, {}};
     for (Vec3& normal : mesh.normals)
         if (normal != Vec3{}) normal = normalize(normal);
     int number = 0;
@@ -55,8 +55,8 @@ inline Mesh make_mesh(const Polygons& from) {
         for (Corner& corner : corners) {
             expect_number(corner.point, from.points.size(), polygon + ": the point");
             points.push_back(from.points[static_cast<std::size_t>(corner.point)]);
-            if (corner.place != -1)
-                expect_number(corner.place, from.places.size(), polygon + ": the place");
+            if (corner.uv != -1)
+                expect_number(corner.uv, from.uvs.size(), polygon + ": the texture coordinate");
             if (corner.normal == -1) continue;
             expect_number(corner.normal, from.normals.size(), polygon + ": the normal");
             if (from.normals[static_cast<std::size_t>(corner.normal)] == Vec3{}) corner.normal = -1;

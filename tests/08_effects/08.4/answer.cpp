@@ -7,9 +7,9 @@ namespace answer EXPORTED {
 
 rt::Color direct_light(const rt::TimedRay& ray, const World<rt::TimedRay>& world,
                        const Lights& lights,
-                       const rt::Place<Materials, Medium<rt::TimedRay>>& place, bool goes_on,
+                       const rt::PathVertex<Materials, Medium<rt::TimedRay>>& vertex, bool goes_on,
                        rt::Rng& random) {
-    return rt::direct_light(ray, world, lights, place, goes_on, random);
+    return rt::direct_light(ray, world, lights, vertex, goes_on, random);
 }
 
 rt::Color lit_path_radiance(const rt::Ray& ray, const World<rt::Ray>& world,

@@ -16,13 +16,12 @@ using fuzzing::must, fuzzing::is_index_of;
 void check(const rt::Mesh& mesh) {
     for (const rt::Vec3& point : mesh.points) must(is_finite(point));
     for (const rt::Vec3& normal : mesh.normals) must(is_finite(normal));
-    for (const rt::Vec2& place : mesh.places)
-        must(std::isfinite(place.x) && std::isfinite(place.y));
+    for (const rt::Vec2& uv : mesh.uvs) must(std::isfinite(uv.x) && std::isfinite(uv.y));
     for (const auto& triangle : mesh.triangles)
         for (const rt::Corner& corner : triangle) {
             must(is_index_of(mesh.points, corner.point));
             must(corner.normal == -1 || is_index_of(mesh.normals, corner.normal));
-            must(corner.place == -1 || is_index_of(mesh.places, corner.place));
+            must(corner.uv == -1 || is_index_of(mesh.uvs, corner.uv));
         }
 }
 

@@ -14,10 +14,10 @@ TEST_CASE("an OBJ file gives its polygons") {
     CHECK(rt::max_component(all.points[1] - rt::Vec3{real(1.5), 0, real(-0.2)}) < 4 * rt::epsilon);
     REQUIRE(all.normals.size() == 1);
     CHECK(all.normals[0] == rt::Vec3{0, 0, 2});
-    REQUIRE(all.places.size() == 1);
+    REQUIRE(all.uvs.size() == 1);
     // The library may round a number's last digit.
-    CHECK(std::abs(all.places[0].x - real(0.25)) < 2 * rt::epsilon);
-    CHECK(std::abs(all.places[0].y - real(0.75)) < 2 * rt::epsilon);
+    CHECK(std::abs(all.uvs[0].x - real(0.25)) < 2 * rt::epsilon);
+    CHECK(std::abs(all.uvs[0].y - real(0.75)) < 2 * rt::epsilon);
     REQUIRE(all.polygons.size() == 4);
     CHECK(all.polygons[0] == std::vector<Corner>{{0}, {1}, {2}, {3}});
     CHECK(all.polygons[1] == std::vector<Corner>{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}});

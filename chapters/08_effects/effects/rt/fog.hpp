@@ -1,12 +1,15 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <optional>
 #include <rt/directions.hpp>
 #include <rt/dot.hpp>
 #include <rt/interval.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/portable.hpp>
+#include <rt/ray.hpp>
+#include <rt/rng.hpp>
 #include <rt/scatter.hpp>
 #include <rt/sine_cosine.hpp>
 #include <rt/sphere.hpp>
@@ -72,6 +75,20 @@ inline Interval within_ball(const Sphere& ball, Vec3 origin, Vec3 direction) {
     return {std::max(Real(0), middle - half), middle + half};
 }
 
+// What lies between the surfaces (given): air, or air with droplets. Directions have length 1.
+template <class Type, class AnyRay = Ray, class Random = Rng>
+concept Medium = requires(const Type& medium, const AnyRay& ray, Real far, Vec3 direction,
+                          Random& random) {
+    // The t at which the ray meets a droplet, if that is before `far`; none otherwise.
+    { medium.meets(ray, far, random) } -> std::same_as<std::optional<Real>>;
+    // How a path that comes in this direction goes on from a droplet.
+    { medium.scatter(direction, random) } -> std::same_as<Scatter>;
+    // The probability density, per solid angle, with which scatter() takes the second direction.
+    { medium.density(direction, direction) } -> std::same_as<Real>;
+    // The share of light that gets as far as `far` along the ray.
+    { medium.gets_through(ray, far) } -> std::same_as<Real>;
+};
+
 // Stands for a scene without fog: the compiler removes every call to its functions.
 struct NoFog {
     template <class AnyRay, class Random>
@@ -89,12 +106,10 @@ struct NoFog {
     }
 };
 
-// Fog as a medium for paths. If the density is 0, no random numbers are drawn. Directions have
-// length 1.
+// Fog as a Medium. If the density is 0, no random numbers are drawn.
 struct FogBall {
     Fog fog;
 
-    // The t at which a ray meets a droplet, if that is before `most`; none otherwise.
     template <class AnyRay, class Random>
     std::optional<Real> meets(const AnyRay& ray, Real most, Random& random) const {
         const Interval foggy = part_of(ray, most);
@@ -104,7 +119,6 @@ struct FogBall {
         return t;
     }
 
-    // How a path goes on from a droplet.
     template <class Random>
     Scatter scatter(Vec3 incoming, Random& random) const {
         return {fog.albedo, phase_direction(fog.asymmetry, incoming, random_place(random))};
@@ -113,7 +127,6 @@ struct FogBall {
         return phase_density(fog.asymmetry, dot(incoming, outgoing));
     }
 
-    // The share of light that gets as far as `far` along a ray.
     template <class AnyRay>
     Real gets_through(const AnyRay& ray, Real far) const {
         const Interval foggy = part_of(ray, far);

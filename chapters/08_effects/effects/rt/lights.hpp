@@ -8,6 +8,7 @@
 #include <rt/interval.hpp>
 #include <rt/ray.hpp>
 #include <rt/sphere_light.hpp>
+#include <rt/world.hpp>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -108,8 +109,8 @@ inline LightEnd light_end(const ChosenLight& chosen, const Ray& ray) {
 
 // True if nothing lies between a ray's origin and the light. A world that can tell whether anything
 // is in the way is asked only that; any other world is asked for the nearest hit.
-template <class World, class AnyRay>
-bool sees_light(const World& world, const AnyRay& ray, const ChosenLight& chosen) {
+template <class AnyRay, World<AnyRay> AnyWorld>
+bool sees_light(const AnyWorld& world, const AnyRay& ray, const ChosenLight& chosen) {
     const Light& light = *chosen.light;
     const Interval way{0, chosen.sample.distance};
     if constexpr (requires { world.occluded(ray, way, light.in_tree); })

@@ -1,14 +1,13 @@
 #pragma once
 #include <optional>
-#include <rt/hit.hpp>
-#include <rt/interval.hpp>
+#include <rt/world.hpp>
 #include <utility>
 
 namespace rt {
 
 // Two worlds in one (given): a ray hits whatever it meets first in either of them. Such a world is
 // called an aggregate. Each of the two may itself be an aggregate.
-template <class First, class Second>
+template <World First, World Second>
 struct Aggregate {
     First first;
     Second second;
@@ -34,11 +33,11 @@ struct Aggregate {
 struct NoWorld {};
 
 // One world made of two. A world that is absent does not appear in its type.
-template <class First, class Second>
+template <World First, World Second>
 Aggregate<First, Second> both(First first, Second second) {
     return {std::move(first), std::move(second)};
 }
-template <class First>
+template <World First>
 First both(First first, NoWorld) {
     return first;
 }

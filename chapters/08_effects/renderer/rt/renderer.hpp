@@ -61,8 +61,8 @@ class Renderer {
   private:
     JitteredSamples samples() const { return {quality_.seed, quality_.samples_per_pixel}; }
 
-    template <class World, class Samples>
-    Color pixel(const World& world, const Samples& samples, int column, int row) const {
+    template <World AnyWorld, class Samples>
+    Color pixel(const AnyWorld& world, const Samples& samples, int column, int row) const {
         // With lights and instances there is so much to inline that compiling would take a minute.
         if constexpr (effects.lights && effects.instances)
             return average(world, samples, column, row);
@@ -70,14 +70,14 @@ class Renderer {
             return inlined_average(world, samples, column, row);
     }
 
-    template <class World, class Samples>
-    RT_INLINES_ALL Color inlined_average(const World& world, const Samples& samples, int column,
+    template <World AnyWorld, class Samples>
+    RT_INLINES_ALL Color inlined_average(const AnyWorld& world, const Samples& samples, int column,
                                          int row) const {
         return average(world, samples, column, row);
     }
 
-    template <class World, class Samples>
-    Color average(const World& world, const Samples& samples, int column, int row) const {
+    template <World AnyWorld, class Samples>
+    Color average(const AnyWorld& world, const Samples& samples, int column, int row) const {
         return samples.average(scene_.camera, column, row, [&](const auto& ray, auto& random) {
             return through_haze(scene_.haze, radiance(world, ray, random),
                                 [&] { return distance_ahead(world, ray); });
@@ -85,8 +85,8 @@ class Renderer {
     }
 
     // The light along one path, followed by chapter 04's loop or by this chapter's.
-    template <class World, class AnyRay, class Random>
-    Color radiance(const World& world, const AnyRay& ray, Random& random) const {
+    template <World AnyWorld, class AnyRay, class Random>
+    Color radiance(const AnyWorld& world, const AnyRay& ray, Random& random) const {
         if constexpr (effects.lights || effects.fog)
             return lit_path_radiance(ray, world, scene_.materials, scene_.sky, scene_.lights,
                                      scene_.fog, SkyEnding{}, quality_.depth, random);

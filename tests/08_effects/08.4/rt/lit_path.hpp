@@ -1,7 +1,7 @@
 #pragma once
 #include <optional>
 #include <rt/ending.hpp>
-#include <rt/place.hpp>
+#include <rt/path_vertex.hpp>
 
 #include "../types.hpp"
 
@@ -9,7 +9,7 @@ namespace answer {
 
 rt::Color direct_light(const rt::TimedRay& ray, const World<rt::TimedRay>& world,
                        const Lights& lights,
-                       const rt::Place<Materials, Medium<rt::TimedRay>>& place, bool goes_on,
+                       const rt::PathVertex<Materials, Medium<rt::TimedRay>>& vertex, bool goes_on,
                        rt::Rng& random);
 rt::Color lit_path_radiance(const rt::Ray& ray, const World<rt::Ray>& world,
                             const Materials& materials, const Sky& sky, const Lights& lights,
@@ -54,12 +54,13 @@ namespace rt {
 
 template <class AnyRay, class World, class Lights, class Materials, class Medium>
 Color direct_light(const AnyRay& ray, const World& world, const Lights& lights,
-                   const Place<Materials, Medium>& place, bool goes_on, Rng& random) {
-    const answer::Materials materials = answer::as_materials(place.materials);
-    const auto fog = answer::as_medium<AnyRay>(place.fog);
+                   const PathVertex<Materials, Medium>& vertex, bool goes_on, Rng& random) {
+    const answer::Materials materials = answer::as_materials(vertex.materials);
+    const auto fog = answer::as_medium<AnyRay>(vertex.fog);
     return answer::direct_light(
         ray, answer::as_world<AnyRay>(world), answer::as_lights(lights),
-        {materials, fog, place.hit, place.collision, place.point, place.incoming}, goes_on, random);
+        {materials, fog, vertex.hit, vertex.collision, vertex.point, vertex.incoming}, goes_on,
+        random);
 }
 
 template <class AnyRay, class World, class Materials, class Sky, class Lights, class Medium,

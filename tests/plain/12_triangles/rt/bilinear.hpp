@@ -5,10 +5,10 @@
 
 namespace rt {
 
-inline Color bilinear(const Image& image, Vec2 place) {
+inline Color bilinear(const Image& image, Vec2 uv) {
     const int width = image.width(), height = image.height();
-    const Real x = place.x * static_cast<Real>(width) - Real(0.5);
-    const Real y = (1 - place.y) * static_cast<Real>(height) - Real(0.5);
+    const Real x = uv.x * static_cast<Real>(width) - Real(0.5);
+    const Real y = (1 - uv.y) * static_cast<Real>(height) - Real(0.5);
     const int column = static_cast<int>(std::floor(x)), row = static_cast<int>(std::floor(y));
     const auto pixel = [&](int right, int down) {
         const int c = ((column + right) % width + width) % width;

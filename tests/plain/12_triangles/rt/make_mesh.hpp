@@ -10,7 +10,7 @@
 namespace rt {
 
 inline Mesh make_mesh(const Polygons& from) {
-    Mesh mesh{from.points, from.normals, from.places, {}};
+    Mesh mesh{from.points, from.normals, from.uvs, {}};
     for (Vec3& normal : mesh.normals) normal = normalize(normal);
     const auto exists = [](int number, std::size_t count) {
         return number >= 0 && number < static_cast<int>(count);
@@ -22,7 +22,7 @@ inline Mesh make_mesh(const Polygons& from) {
         for (const Corner& corner : corners)
             right = right && exists(corner.point, from.points.size()) &&
                     (corner.normal == -1 || exists(corner.normal, from.normals.size())) &&
-                    (corner.place == -1 || exists(corner.place, from.places.size()));
+                    (corner.uv == -1 || exists(corner.uv, from.uvs.size()));
         if (!right) throw std::invalid_argument("polygon " + std::to_string(number) + " is wrong");
         for (std::size_t i = 1; i + 1 < corners.size(); ++i)
             mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});

@@ -7,14 +7,16 @@
 #include <rt/leave_surface.hpp>
 #include <rt/lights.hpp>
 #include <rt/spread.hpp>
+#include <rt/world.hpp>
 
 namespace rt {
 
-// Where a ray of a path ends (given): on a surface, at a droplet of fog, or nowhere, in the sky.
-template <class Materials, class Medium>
-struct Place {
+// A vertex of a path (given), where a ray ends: on a surface, at a droplet of fog, or nowhere, in
+// the sky.
+template <class Materials, class AnyMedium>
+struct PathVertex {
     const Materials& materials;
-    const Medium& fog;
+    const AnyMedium& fog;
     std::optional<Hit> hit;
     std::optional<Real> collision;  // the t of a droplet that is met before the hit
     Vec3 point, incoming;           // the point, and the direction of the ray that led there
@@ -50,18 +52,20 @@ struct Place {
 };
 
 // Follows a ray to its end. Within glass there is no fog.
-template <class AnyRay, class World, class Materials, class Medium, class Random>
-Place<Materials, Medium> next_place(const AnyRay& ray, const World& world,
-                                    const Materials& materials, const Medium& fog, Random& random) {
-    Place<Materials, Medium> place{materials, fog, world.hit(ray, Interval{0, infinity}),
-                                   {},        {},  ray.direction};
-    if (!(place.hit && came_through_glass(materials, *place.hit)))
-        place.collision = fog.meets(ray, place.hit ? place.hit->t : infinity, random);
-    if (place.collision)
-        place.point = ray.origin + *place.collision * ray.direction;
-    else if (place.hit)
-        place.point = place.hit->point;
-    return place;
+template <class AnyRay, World<AnyRay> AnyWorld, class Materials, Medium<AnyRay> AnyMedium,
+          class Random>
+PathVertex<Materials, AnyMedium> next_vertex(const AnyRay& ray, const AnyWorld& world,
+                                             const Materials& materials, const AnyMedium& fog,
+                                             Random& random) {
+    PathVertex<Materials, AnyMedium> vertex{materials, fog, world.hit(ray, Interval{0, infinity}),
+                                            {},        {},  ray.direction};
+    if (!(vertex.hit && came_through_glass(materials, *vertex.hit)))
+        vertex.collision = fog.meets(ray, vertex.hit ? vertex.hit->t : infinity, random);
+    if (vertex.collision)
+        vertex.point = ray.origin + *vertex.collision * ray.direction;
+    else if (vertex.hit)
+        vertex.point = vertex.hit->point;
+    return vertex;
 }
 
 }  // namespace rt
