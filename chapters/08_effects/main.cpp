@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
                      .study = app::program_study,
                      .shows = shown_of_paths(),
                      .reads = "The scene file, .json; without it the final scene is drawn",
-                     .others = "./course run 08 also takes those of later chapters",
+                     .others = "./course run 08 also takes the options of later chapters",
                      .explains = true,
                      .can_be_stopped = true});
 }

@@ -324,7 +324,7 @@ CLI::Validator shown_word(const std::vector<std::string>& known) {
 void add_options(CLI::App& options, Request& request, const Program& program) {
     Settings& settings = request.settings;
     options.set_help_flag("--help", "Show this help and exit");
-    options.footer(exit_codes(program));
+    options.footer(exit_codes(program) + (program.others.empty() ? "" : "\n" + program.others));
     options.add_option("--out", request.out, "The image file, .png or .ppm")->capture_default_str();
     add_numbers(options, settings);
     if (settings.view) add_view(options, *settings.view);
