@@ -14,23 +14,17 @@ extern int unfinished_passes;
 
 // What a message tells the companion beside its text: the expected and the actual value stand each
 // behind its mark, up to `end_mark` or the end of the line. A terminal does not show the marks.
-inline constexpr char expected_mark = '\x1c', actual_mark = '\x1d', end_mark = '\x1e',
-                      crash_mark = '\x1f';
+inline constexpr char expected_mark = '\034', actual_mark = '\035', end_mark = '\036',
+                      crash_mark = '\037';
 }  // namespace checkpoint
 
 // These stand before the expected and the actual value in a message. If both are there and differ,
 // the values of the assertion need not be shown. If several messages have an expected value, only
 // the last one counts, because the others belong to earlier assertions.
-#define EXPECTED \
-    "\x1e"       \
-    "expected \x1c"
-#define ACTUAL \
-    "\x1e"     \
-    "actual \x1d"
+#define EXPECTED "\036expected \034"
+#define ACTUAL "\036actual \035"
 // Begins a message that helps only if the code crashes.
-#define IF_IT_CRASHES \
-    "\x1f"            \
-    "Hint, if this crashes: "
+#define IF_IT_CRASHES "\037Hint, if this crashes: "
 
 // A test case knows whether it came to its end. Otherwise code that throws what Catch2 itself
 // throws would end it, and nothing would have failed.
