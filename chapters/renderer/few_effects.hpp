@@ -6,8 +6,8 @@
 namespace full_renderer {
 
 // The sets of effects for which this room's renderers are compiled. There are few, because each
-// takes long to compile, and because an effect that is compiled in but not used costs these
-// renderers little. The last set has all effects.
+// takes long to compile. docs/studies/08_effects.md says what effects cost that a renderer has and a
+// scene lacks. The last set has all effects.
 inline constexpr std::array<rt::Effects, 4> few_effects = [] {
     constexpr rt::Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};

@@ -1,7 +1,11 @@
 // The narrow renderers draw what the full one draws, bit for bit.
 
+#include <filesystem>
+#include <final_scene.hpp>
+#include <map>
 #include <rt/choose_renderer.hpp>
 #include <rt/renderers.hpp>
+#include <scene_file.hpp>
 #include <set>
 
 #include "../scenes.hpp"
@@ -57,6 +61,26 @@ TEST_CASE("each scene's narrowest renderer draws what the full one draws") {
     }
     INFO("a renderer that no scene chooses would be compiled for nothing");
     CHECK(used.size() == rt::renderer_effects.size());
+}
+
+TEST_CASE("the renderers of the final scene and of the chapter's scenes have no other effects") {
+    std::map<std::string, rt::SceneDescription> scenes{{"final", effects::final_scene()}};
+    const std::filesystem::path folder = COURSE_ROOT "/chapters/08_effects/scenes";
+    for (const auto& file : std::filesystem::directory_iterator{folder})
+        if (file.path().extension() == ".json")
+            scenes.emplace(file.path().filename().string(), effects::read_scene(file));
+    std::set<std::size_t> used;
+    for (const auto& [name, scene] : scenes) {
+        const Effects needed = needed_effects(scene);
+        const std::size_t number = rt::narrowest(needed, rt::renderer_effects);
+        const Effects unused = without(rt::renderer_effects[number], needed);
+        INFO(name << " needs: " << names(needed));
+        INFO("its renderer has also: " << names(unused));
+        CHECK((unused == Effects{}));
+        used.insert(number);
+    }
+    INFO("a set of exact_effects that none of these scenes has");
+    CHECK(used.size() == rt::exact_effects.size());
 }
 
 TEST_CASE("every renderer that has what a scene needs draws the same") {

@@ -63,8 +63,9 @@ class Renderer {
 
     template <World AnyWorld, class Samples>
     Color pixel(const AnyWorld& world, const Samples& samples, int column, int row) const {
-        // With lights and instances there is so much to inline that compiling would take a minute.
-        if constexpr (effects.lights && effects.instances)
+        // With lights, and instances or motion, there is so much to inline that one renderer would
+        // take as long to compile as half of all others.
+        if constexpr (effects.lights && (effects.instances || effects.motion))
             return average(world, samples, column, row);
         else
             return inlined_average(world, samples, column, row);

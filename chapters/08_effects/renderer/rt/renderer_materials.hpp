@@ -11,32 +11,35 @@
 
 namespace rt {
 
-// The types of material that renderers use (given): metal without fuzz is a Mirror, which draws no
-// random numbers, and a material with an image is an ImageMatte. A chapter that adds a material
-// adds its type here. The renderers that have every effect have all of these types.
-using AllMaterials =
-    MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte, ImageMatte, OwnMaterial>;
-using ReadyMaterial = decltype(AllMaterials::materials)::value_type;
+// Two lists of types in one.
+template <class... Types>
+struct TypeList {};
+template <class... First, class... Second>
+TypeList<First..., Second...> operator+(TypeList<First...>, TypeList<Second...>);
 
-// The effects whose materials are found only in renderers that have every effect.
-inline constexpr Effects rare_materials{.own = true};
-
-// The materials of a renderer with these effects.
+// The types of material in a renderer with these effects (given). A chapter that adds a material
+// adds a line here. Metal without fuzz is a Mirror, which draws no random numbers, and a material
+// with an image is an ImageMatte.
 template <Effects effects>
 struct RendererMaterials {
-    template <bool condition, class Yes, class No>
-    using Either = std::conditional_t<condition, Yes, No>;
+    template <bool present, class... Types>
+    using If = std::conditional_t<present, TypeList<Types...>, TypeList<>>;
 
-    static constexpr bool metal = effects.mirror || effects.fuzz;
-    static constexpr bool one_material = !metal && !effects.glass && !effects.texture;
-    static constexpr bool all = without(effects, rare_materials) != effects;
-    using Type = Either<
-        all, AllMaterials,
-        Either<one_material, MaterialList<Lambertian>,
-               Either<!effects.glass && !effects.texture, MaterialSet<Lambertian, Mirror, Metal>,
-                      Either<!metal && !effects.texture, MaterialSet<Lambertian, Dielectric>,
-                             MaterialSet<Lambertian, Mirror, Metal, Dielectric, CheckeredMatte,
-                                         ImageMatte>>>>>;
+    // A single type needs no lookup.
+    template <class Only>
+    static MaterialList<Only> container(TypeList<Only>);
+    template <class... Types>
+    static MaterialSet<Types...> container(TypeList<Types...>);
+
+    using Type = decltype(container(TypeList<Lambertian>{} +           //
+                                    If<effects.mirror, Mirror>{} +     //
+                                    If<effects.fuzz, Metal>{} +        //
+                                    If<effects.glass, Dielectric>{} +  //
+                                    If<effects.texture, CheckeredMatte, ImageMatte>{} +
+                                    If<effects.own, OwnMaterial>{}));
 };
+
+// Any of these materials.
+using ReadyMaterial = decltype(RendererMaterials<every_effect>::Type::materials)::value_type;
 
 }  // namespace rt
