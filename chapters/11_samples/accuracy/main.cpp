@@ -51,12 +51,14 @@ struct SkippingWorld {
     }
 };
 
-using SchlickMaterials =
-    MaterialSet<Lambertian, Mirror, Metal, SchlickDielectric, CheckeredMatte, ImageMatte>;
+// The same materials, with Schlick's formula in place of Fresnel's equations.
+template <class Material>
+using WithSchlick =
+    std::conditional_t<std::is_same_v<Material, Dielectric>, SchlickDielectric, Material>;
 
-template <class Materials>
-SchlickMaterials with_schlick(const Materials& exact) {
-    SchlickMaterials all;
+template <class... Types>
+MaterialSet<WithSchlick<Types>...> with_schlick(const MaterialSet<Types...>& exact) {
+    MaterialSet<WithSchlick<Types>...> all;
     for (const auto& material : exact.materials)
         std::visit(
             [&](const auto& kind) {
@@ -192,15 +194,6 @@ class Subject {
   private:
     static constexpr int usual_samples = 16;
     static constexpr Quality usual_quality{usual_samples, usual_depth, 1};
-    static constexpr Effects every_effect{.mirror = true,
-                                          .fuzz = true,
-                                          .glass = true,
-                                          .texture = true,
-                                          .lens = true,
-                                          .motion = true,
-                                          .lights = true,
-                                          .fog = true,
-                                          .instances = true};
     template <class Points>
     using Batches = BatchRenderer<effects, Points>;
 
@@ -316,7 +309,7 @@ class Subject {
     Renderer<effects> renderer_{description_, width, height, usual_quality};
     using World = std::decay_t<decltype(scene_.world)>;
     SphereList list_{prepare_shapes(description_).still};
-    SchlickMaterials schlick_ = with_schlick(scene_.materials);
+    decltype(with_schlick(scene_.materials)) schlick_ = with_schlick(scene_.materials);
     ChanceLights<std::decay_t<decltype(scene_.lights)>> chance_{scene_.lights};
     SkippingWorld<World> skipping_{scene_.world, Real(0.001)}, skipping_all_{scene_.world, 1};
     Truths truths_;
