@@ -9,9 +9,10 @@ A figure has its key in a comment right before it, which never begins a line:
 
     an error of <!--= accuracy/equal time/sobol/600 -->0.0087
 
-A key is a chapter's number or `accuracy`, then a study, a variant, an x, a precision: as many of them as it takes
-to name one row of the table. Each may be short: words of it, or their beginnings, in order. Case and punctuation do
-not matter. Without a precision, double is meant; without `cost`, the error. "0.0091 / 5 ms" are error and cost.
+A key is a chapter's number, `accuracy` or `instructions` (see tests/08_effects/costs), then a study, a variant, an x,
+a precision: as many of them as it takes to name one row of the table. Each may be short: words of it, or their
+beginnings, in order. Case and punctuation do not matter. Without a precision, double is meant; without `cost`, the
+error. "0.0091 / 5 ms" are error and cost.
 
 A comment above a table says what all its figures have in common. The first cell of a line and the heading of a column
 say the rest, as a key does, or with commas between the parts; if they say otherwise than the comment, they hold:
@@ -143,11 +144,11 @@ def find(rows, key, common=()):
 
 @functools.cache
 def table(name):
-    for file in sorted((ROOT / "docs/studies").glob("*.csv")):
+    for file in [*sorted((ROOT / "docs/studies").glob("*.csv")), ROOT / "tests/08_effects/costs/instructions.csv"]:
         if name in (file.stem, file.stem.partition("_")[0]):
             with open(file, newline="", encoding="utf-8") as lines:
                 return list(csv.DictReader(lines))
-    raise Wrong(f"'{name}' is neither a chapter with a table in docs/studies nor 'accuracy'")
+    raise Wrong(f"'{name}' is neither a chapter with a table in docs/studies nor 'accuracy' nor 'instructions'")
 
 
 def parts_of(key):

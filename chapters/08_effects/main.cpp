@@ -44,7 +44,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 int main(int argc, char** argv) {
     return app::run(argc, argv,
                     {.name = "08_effects",
-                     .about = "a scene, drawn by a renderer that has its effects and no others",
+                     .about = "a scene, drawn by the narrowest renderer that has its effects",
                      .defaults = effects::default_settings(),
                      .render = render,
                      .study = app::program_study,

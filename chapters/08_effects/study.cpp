@@ -2,11 +2,14 @@
 
 #include <app/run.hpp>
 #include <array>
+#include <memory>
 #include <rt/canvas.hpp>
 #include <rt/cover_scene.hpp>
 #include <rt/effects_of.hpp>
+#include <rt/for_each_pixel.hpp>
 #include <rt/hit_sphere.hpp>
 #include <rt/light_sample.hpp>
+#include <rt/renderer.hpp>
 #include <rt/shared_weight.hpp>
 #include <rt/sphere_light.hpp>
 #include <study/classic.hpp>
@@ -16,6 +19,7 @@
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
 
+#include "study_scene.hpp"
 #include "tile_renderer.hpp"
 
 namespace effects {
@@ -62,39 +66,6 @@ struct LightAbove {
         return hit_sphere(light(), {{0, 0, 0}, direction}, {}).has_value();
     }
 };
-
-// Two hundred spheres on the ground, with the effect of this name. For "matte", "instances" and
-// "own", the scene has no effect.
-SceneDescription scene_with(const char* name) {
-    SceneDescription scene;
-    const std::string effect = name;
-    scene.sky = {{1, 1, 1}, {Real(0.5), Real(0.7), 1}};
-    scene.camera.view = {{0, 3, 9}, {0, Real(0.3), 0}, {0, 1, 0}, radians(35)};
-    scene.materials = {Lambertian{{Real(0.6), Real(0.5), Real(0.4)}},
-                       Lambertian{{Real(0.2), Real(0.5), Real(0.8)}}};
-    if (effect == "mirror") scene.materials.push_back(Metal{{1, Real(0.8), 1}, 0});
-    if (effect == "fuzz") scene.materials.push_back(Metal{{1, 1, 1}, Real(0.3)});
-    if (effect == "glass") scene.materials.push_back(Dielectric{});
-    if (effect == "texture")
-        scene.materials.push_back(CheckeredMatte{{0, 0, 0}, {1, 1, 1}, Real(0.1)});
-    if (effect == "lights") scene.materials.push_back(Emitter{{2, 2, 2}});
-    if (effect == "lens") scene.camera.lens = {Real(0.2), 9};
-    if (effect == "motion") scene.camera.shutter = 1;
-    if (effect == "fog") scene.fog = Fog{{{0, 0, 0}, 20}, Real(0.02), {1, 1, 1}, 0};
-    if (effect == "haze") scene.haze = Haze{Real(0.05), {1, 1, 1}};
-    scene.spheres.push_back({{{0, -1000, 0}, 1000}, 0});
-    Rng random{1, 8};
-    const auto kinds = static_cast<int>(scene.materials.size()) - 1;
-    for (int i = 0; i < 200; ++i) {
-        const Real radius = Real(0.1) + Real(0.3) * random.uniform();
-        SphereDescription sphere{{{random.uniform(-6, 6), radius, random.uniform(-8, 5)}, radius},
-                                 1 + i % kinds};
-        if (effect == "lights" && sphere.material == 2 && i > 20) sphere.material = 1;
-        if (effect == "motion" && i < 20) sphere.velocity = {0, radius, 0};
-        scene.spheres.push_back(sphere);
-    }
-    return scene;
-}
 
 // Four ways to find a light: how far one sample is from the right answer, and its time.
 void study_light(study::Report& report) {
@@ -202,37 +173,50 @@ void study_solid_angle(study::Report& report) {
     report.time_in_turns();
 }
 
-// What each effect costs where it is absent, compiled in but unused, and present.
-void study_each_effect(study::Report& report) {
-    constexpr int width = 64, rows = 36;
-    const SceneDescription matte = scene_with("matte");
-    for (const NamedEffect& effect : all_effects) {
-        const SceneDescription scene = scene_with(effect.name);
-        Effects one;
-        one.*effect.member = true;
-        const Quality quality{4, 8, 1};
-        const auto drawing = [&](const Effects& effects, const SceneDescription& drawn) {
-            return make_narrowest(effects, drawn, width, rows, quality).draw;
-        };
-        std::vector<DrawTile> draws{drawing({}, matte), drawing(one, matte)};
-        if (effects_of(scene).*effect.member) draws.push_back(drawing(one, scene));
-        std::vector<std::uint64_t> rays(draws.size());
-        std::vector<study::Work> works;
-        for (std::size_t i = 0; i < draws.size(); ++i)
-            works.push_back([&, i] {
-                rays[i] = 0;
-                Image image = Canvas<Color>{width, rows};
-                draws[i]({0, 0, width, rows}, image, rays[i]);
-                study::keep(image);
-            });
-        std::vector<double> per_ray = study::in_turns_ns(works, {.rounds = 9});
-        for (std::size_t i = 0; i < draws.size(); ++i) {
-            per_ray[i] /= static_cast<double>(rays[i]);
-            report.add({"effects", effect.name, static_cast<double>(i),
-                        "absent, compiled in, present", per_ray[i] / per_ray[0],
-                        "times the time without", per_ray[i], "time per ray / ns"});
-        }
+constexpr int width = 64, rows = 36;
+
+// Draws a scene with a renderer that has exactly these effects, and counts the rays.
+template <Effects effects>
+study::Work drawing(const SceneDescription& scene, std::uint64_t& rays) {
+    constexpr JitteredSamples samples{1, 4};
+    const auto renderer = std::make_shared<const Renderer<effects>>(
+        scene, width, rows, Quality{samples.count, 8, samples.seed});
+    return [renderer, samples, &rays] {
+        rays = 0;
+        Image image = Canvas<Color>{width, rows};
+        for_each_pixel(Tile{0, 0, width, rows},
+                       [&](int x, int y) { image.at(x, y) = (*renderer)(samples, x, y, rays); });
+        study::keep(image);
+    };
+}
+
+// What the effect with this number costs where it is absent, compiled in but unused, and present.
+template <std::size_t number>
+void study_effect(study::Report& report) {
+    constexpr Effects one = [] {
+        Effects effects;
+        effects.*all_effects[number].member = true;
+        return effects;
+    }();
+    const SceneDescription without = study_scene({}), with = study_scene(one);
+    std::array<std::uint64_t, 3> rays{};
+    std::vector<double> per_ray =
+        study::in_turns_ns({drawing<Effects{}>(without, rays[0]), drawing<one>(without, rays[1]),
+                            drawing<one>(with, rays[2])},
+                           {.rounds = 9});
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        per_ray[i] /= static_cast<double>(rays[i]);
+        report.add({"effects", all_effects[number].name, static_cast<double>(i),
+                    "absent, compiled in, present", per_ray[i] / per_ray[0],
+                    "times the time without", per_ray[i], "time per ray / ns"});
     }
+}
+
+void study_each_effect(study::Report& report) {
+    [&]<std::size_t... number>(std::index_sequence<number...>) {
+        (study_effect<number>(report), ...);
+    }
+    (std::make_index_sequence<all_effects.size()>{});
 }
 
 // The time of the whole cover scene, compared with that of the classic way.

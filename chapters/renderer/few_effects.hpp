@@ -5,9 +5,9 @@
 
 namespace full_renderer {
 
-// The sets of effects for which this room's renderers are compiled. There are few, because each
-// takes long to compile. docs/studies/08_effects.md says what effects cost that a renderer has and a
-// scene lacks. The last set has all effects.
+// The sets of effects for which the electives' renderers are compiled. There are few, because each
+// takes long to compile. docs/studies/08_effects.md says what effects cost that a renderer has and
+// a scene lacks. The last set has all effects.
 inline constexpr std::array<rt::Effects, 4> few_effects = [] {
     constexpr rt::Effects materials{
         .mirror = true, .fuzz = true, .glass = true, .texture = true, .lens = true};

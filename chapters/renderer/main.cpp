@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
     return app::run(
         argc, argv,
         {.name = "renderer",
-         .about = "a scene, drawn by a renderer that has its effects and no others",
+         .about = "a scene, drawn by the narrowest renderer that has its effects",
          .defaults = effects::default_settings(),
          .render = render,
          .study = nullptr,

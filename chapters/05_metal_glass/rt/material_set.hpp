@@ -10,8 +10,7 @@ namespace rt {
 
 // The materials of a scene, of these types and no others (given). Each material is a std::variant,
 // which holds a value of one of these types; std::visit looks up which type that is, and calls its
-// scatter(). A scene without glass leaves Dielectric out of the list, and refraction is not even
-// compiled in.
+// scatter(). If Dielectric is not in the list, refraction is not even compiled in.
 template <class... Types>
 struct MaterialSet {
     std::vector<std::variant<Types...>> materials;

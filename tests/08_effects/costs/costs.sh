@@ -1,9 +1,13 @@
 #!/bin/sh
-# costs.sh PROGRAM: an effect that is absent costs nothing. Counts, with valgrind, the instructions that
-# the narrowest renderer executes, and those of a loop written by hand for the same scene: 1 % more are
-# allowed. costs.sh PROGRAM table: what each effect costs where it is present, compiled in, absent.
+# What effects cost, in instructions, which valgrind counts.
+#
+#   costs.sh PROGRAM         an effect that is absent costs nothing: a renderer without it executes at most 1 % more
+#                            instructions than a loop written by hand for the same scene. And instructions.csv, from
+#                            which the texts quote, is what the program does.
+#   costs.sh PROGRAM record  writes instructions.csv anew; then run tests/figures.py --write
 set -u
 program=$1
+record=$(dirname "$0")/instructions.csv
 if ! command -v valgrind >/dev/null; then
     echo "valgrind is not installed: instructions are not counted"
     exit 77
@@ -11,41 +15,78 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 
-# count SCENE WAY ROWS: how many instructions the whole program executes.
-count() {
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null "$program" "$@" \
+# drawing SCENE RENDERER: how many instructions drawing takes.
+drawing() {
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect='*sum_of*' "$program" "$@" \
         >"$folder/stdout" 2>"$folder/stderr" || { cat "$folder/stderr" >&2; return 1; }
     sed -n 's/.*Collected : *\([0-9]*\).*/\1/p' "$folder/stderr"
 }
-# drawing SCENE WAY: those of drawing alone: without making the scene and its tree.
-drawing() {
-    all=$(count "$1" "$2" 27) || exit 1
-    before=$(count "$1" "$2" 0) || exit 1
-    echo $((all - before))
+
+# row VARIANT X X_NAME COUNT WITHOUT: a line of the record. WITHOUT is the count with which this one is compared.
+row() {
+    awk -v variant="$1" -v x="$2" -v x_name="$3" -v count="$4" -v without="$5" 'BEGIN {
+        printf "%s,double,%d,\"%s\",%.6g,%% more instructions,%.6g,million instructions\n",
+               variant, x, x_name, 100 * (count / without - 1), count / 1e6 }'
 }
 
-if [ "${2:-}" = table ]; then
-    none=$(drawing matte narrow)
-    echo "effect,absent,compiled in,present"
-    for effect in mirror fuzz glass texture lens motion lights fog haze; do
-        echo "$effect,$none,$(drawing matte $effect),$(drawing $effect narrow)"
+# The record: each effect in a renderer of its own, where it is absent, unused and present; the renderers that scenes
+# share, against those; and loops written by hand.
+measure() {
+    materials=$("$program" materials)
+    every=$("$program" every)
+    echo "study,variant,precision,x,x_name,error,error_name,cost,cost_name"
+    echo "compiler,$("$program" compiler),,,,,,,"
+    none=$(drawing none none) || return
+    is="absent, unused, present"
+    for effect in $("$program" effects); do
+        unused=$(drawing none "$effect") && present=$(drawing "$effect" "$effect") || return
+        row "effects,$effect" 0 "$is" "$none" "$none"
+        row "effects,$effect" 1 "$is" "$unused" "$none"
+        row "effects,$effect" 2 "$is" "$present" "$none"
+        # The same scene by the renderers that scenes share.
+        by_every=$(drawing "$effect" "$every") || return
+        case "+$materials+" in *"+$effect+"*)
+            by_materials=$(drawing "$effect" "$materials") || return
+            row "shared,$effect" 0 "all materials, everything" "$by_materials" "$present" ;;
+        esac
+        row "shared,$effect" 1 "all materials, everything" "$by_every" "$present"
     done
-    echo "all,$none,$(drawing matte full),"
+    by_materials=$(drawing none "$materials") && by_every=$(drawing none "$every") || return
+    row "shared,matte" 0 "all materials, everything" "$by_materials" "$none"
+    row "shared,matte" 1 "all materials, everything" "$by_every" "$none"
+    for scene in none mirror+fuzz glass+lens; do
+        hand=$(drawing "$scene" hand) && exact=$(drawing "$scene" "$scene") || return
+        case $scene in none) name=matte ;; mirror*) name=metal ;; *) name="glass and a lens" ;; esac
+        row "by hand,$name" 0 "by hand, by a renderer" "$hand" "$hand"
+        row "by hand,$name" 1 "by hand, by a renderer" "$exact" "$hand"
+    done
+}
+
+if [ "${2:-}" = record ]; then
+    measure >"$folder/record" && cp "$folder/record" "$record"
     exit
 fi
 
-failures=0
-for scene in matte metal glass_lens; do
-    [ "$("$program" $scene narrow 27)" = "$("$program" $scene hand 27)" ] || {
-        echo "$scene: the narrowest renderer and the loop by hand draw different pictures"
-        failures=$((failures + 1))
+for scene in none mirror+fuzz glass+lens; do
+    [ "$("$program" $scene $scene)" = "$("$program" $scene hand)" ] || {
+        echo "$scene: the renderer and the loop by hand draw different pictures"
+        exit 1
     }
-    narrow=$(drawing $scene narrow) || exit 1
-    hand=$(drawing $scene hand) || exit 1
-    echo "$scene: $narrow instructions, by hand $hand: $((narrow * 10000 / hand)) in 10000"
-    if [ "$narrow" -le 0 ] || [ $((narrow * 100)) -gt $((hand * 101)) ]; then
-        echo "$scene: more than 1 % more than by hand"
-        failures=$((failures + 1))
-    fi
 done
-[ "$failures" -eq 0 ]
+measure >"$folder/record" || exit 1
+awk -F, '$1 == "by hand" && $4 == 1 { seen++; print $2 ": " $(NF - 3) " % more instructions than by hand" }
+         $1 == "by hand" && $4 == 1 && !($(NF - 3) <= 1) { print "that is more than 1 %"; wrong = 1 }
+         END { exit wrong || seen != 3 }' "$folder/record" || exit 1
+
+# Another compiler makes other instructions.
+compiler=$("$program" compiler)
+if ! grep -qF "compiler,$compiler," "$record"; then
+    echo "the record is of $(sed -n 's/^compiler,\([^,]*\),.*/\1/p' "$record"), and this is $compiler: they are not compared"
+    exit 0
+fi
+# The same program always takes the same number of instructions, to the last of the digits that are kept.
+diff "$record" "$folder/record" >"$folder/diff" || {
+    echo "instructions.csv (<) is not what the program does (>); costs.sh PROGRAM record writes it anew:"
+    cat "$folder/diff"
+    exit 1
+}
