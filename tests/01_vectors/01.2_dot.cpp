@@ -15,7 +15,8 @@ void check_dot(Vec3 a, Vec3 b) {
     INFO("dot(" << text(a) << ", " << text(b) << ")");
     HINT(expected, computed,
          "compute with Real throughout, and add up the 3 products unchanged, whatever their sizes");
-    REQUIRE(times_allowed(computed, expected, allowed) <= 1);
+    const double error_over_allowed = times_allowed(computed, expected, allowed);
+    REQUIRE(error_over_allowed <= 1);
 }
 
 }  // namespace

@@ -37,8 +37,9 @@ void check_sum(Vec3 a, Vec3 b, Real more, Real computed, const char* what) {
     const double size =
         size_of_terms(exact_vector(a), exact_vector(b)) + static_cast<double>(std::abs(more));
     INFO(what << ": " EXPECTED << text(expected) << ", " ACTUAL << text(computed));
-    REQUIRE(times_allowed(computed, expected, static_cast<double>(rt::rounding_bound(5)) * size) <=
-            1);
+    const double error_over_allowed =
+        times_allowed(computed, expected, static_cast<double>(rt::rounding_bound(5)) * size);
+    REQUIRE(error_over_allowed <= 1);
 }
 
 // Every function, in every component.

@@ -121,8 +121,9 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
             HINT(moved, unscaled(translations[i]),
                  "the last number is minus the dot product of the inverse's row and the "
                  "translation");
-            REQUIRE(times_allowed(unscaled(translations[i]), moved,
-                                  is_any_way ? moves_any_way : of_terms * moves) <= 1);
+            const double error_over_allowed = times_allowed(
+                unscaled(translations[i]), moved, is_any_way ? moves_any_way : of_terms * moves);
+            REQUIRE(error_over_allowed <= 1);
         }
     }
     const Vec3 there = rt::to_object(m, point);
@@ -135,9 +136,11 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
         INFO("to_object, component " << i << ", of " << text(point));
         HINT(seen_there, unscaled(seen[i]), "call transform_point with the inverse");
         const double sizes = size_of_terms(origin, {1, 1, 1}) + size_of_terms(p, {1, 1, 1});
-        REQUIRE(times_allowed(unscaled(seen[i]), seen_there,
-                              is_any_way ? 4 * exact.any_way * sizes
-                                         : of_terms * (moves + size_of_terms(expected, p))) <= 1);
+        const double error_over_allowed =
+            times_allowed(unscaled(seen[i]), seen_there,
+                          is_any_way ? 4 * exact.any_way * sizes
+                                     : of_terms * (moves + size_of_terms(expected, p)));
+        REQUIRE(error_over_allowed <= 1);
     }
     const Vec3 back = rt::to_world(m, point);
     const Real seen_back[] = {back.x, back.y, back.z}, origins[] = {m(0, 3), m(1, 3), m(2, 3)};
@@ -147,8 +150,9 @@ void check_inverse(const Exactly& exact, Vec3 point, Accuracy accuracy = Accurac
         const double size = size_of_terms(row, p) + static_cast<double>(std::abs(origins[i]));
         INFO("to_world, component " << i << ", of " << text(point));
         HINT(moved, seen_back[i], "call transform_point with the map itself");
-        REQUIRE(times_allowed(seen_back[i], moved,
-                              static_cast<double>(rt::rounding_bound(5)) * size) <= 1);
+        const double error_over_allowed =
+            times_allowed(seen_back[i], moved, static_cast<double>(rt::rounding_bound(5)) * size);
+        REQUIRE(error_over_allowed <= 1);
     }
 }
 

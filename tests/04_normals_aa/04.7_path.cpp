@@ -614,7 +614,7 @@ TEST_CASE("04.7 a path in a closed room stays in it", "[04.7]") {
     }
 }
 
-TEST_CASE("04.7 roulette ends dark paths more often than bright ones", "[04.7][hard]") {
+TEST_CASE("04.7 the probability of roulette is right to the last digits", "[04.7][hard]") {
     // Draws the same number again and again.
     struct Fixed {
         Real number;

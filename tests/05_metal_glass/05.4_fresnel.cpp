@@ -217,7 +217,8 @@ TEST_CASE("05.4 beyond the critical angle both formulas give 1", "[05.4]") {
     }
 }
 
-TEST_CASE("05.4 cosine and reflectance are accurate at any ratio and angle", "[05.4][hard]") {
+TEST_CASE("05.4 cosine and reflectance keep to their error bounds at any ratio and angle",
+          "[05.4][hard]") {
     // So close to the critical angle the product of eta and the cosine is rounded too much to tell.
     const auto is_in_doubt = [](const Interface& surface) {
         const Exact scaled = surface.eta * surface.cosine;
