@@ -102,6 +102,10 @@ TEST_CASE("05.2 above_horizon mirrors a direction that points below the surface"
     check({3, -4, 0}, {real(0.6), real(0.8), 0});
     check({0, -8, 0}, {0, 1, 0});
     check({0, real(-0.3), real(-0.4)}, {0, real(0.6), real(-0.8)});
+    for (const Real scale : {real(1e-9), real(1e9)}) {
+        check({0, 3 * scale, 4 * scale}, {0, real(0.6), real(0.8)});
+        check({3 * scale, -4 * scale, 0}, {real(0.6), real(0.8), 0});
+    }
 }
 
 TEST_CASE("05.2 metal without fuzz is a mirror", "[05.2]") {

@@ -62,6 +62,10 @@ TEST_CASE("08.1 lens and fog and motion each call for an effect", "[08.1]") {
     check(scene, {.motion = true}, "the sphere moves along x");
     scene.spheres[0].velocity = {0, 0, 1};
     check(scene, {.motion = true}, "the sphere moves along z");
+    scene = ball_of(matte);
+    scene.camera.lens.aperture = Real(1e-6);
+    scene.fog = rt::Fog{{{0, 0, 0}, 5}, Real(1e-6)};
+    check(scene, {.lens = true, .fog = true}, "aperture and density are small, but not 0");
 }
 
 TEST_CASE("08.1 a sphere with a map is an instance", "[08.1]") {
