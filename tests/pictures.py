@@ -356,6 +356,10 @@ def metal_glass(width, height, *box):
     return lambda: draw("05_metal_glass_solution", width, height).part(*box)
 
 
+def waiting(top):
+    return lambda: draw("06_threads_solution", 1160, 652).part(14, top, 790, 78)
+
+
 def furnace():
     return above(*(draw("08_effects_solution", 700, 140, "docs/hard-cases/furnace.json", mistake=m)
                    for m in (None, "05.2_absorbs_below")))
@@ -424,6 +428,8 @@ RECIPES = {
     "05-mistake-absorbs_below": rough_ball,
     "05-mistake-schlick_inner_cosine": schlick,
     "05-furnace": furnace,
+    "06-slices-waiting": waiting(476),
+    "06-tiles-waiting": waiting(558),
     "05-mirror": metal_glass(1200, 675, 0, 90, 250, 240),
     "05-strip": metal_glass(800, 450, 0, 325, 800, 125),
     "05-glass": metal_glass(1200, 675, 280, 235, 640, 250),
