@@ -21,7 +21,7 @@ const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 const contrast = readFileSync(join(here, 'contrast.js'), 'utf8');
 const pages = readdirSync(folder).filter(name => name.endsWith('.html'));
 // Chapters that show something after each idea.
-const ideaByIdea = /^0[3-6]-(?!.*-(mistakes|studies))/;
+const ideaByIdea = /^0[2-6]-(?!.*-(mistakes|studies))/;
 const most = 300_000;  // bytes of a page without its pictures
 
 const faults = [];

@@ -30,7 +30,7 @@ FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "tests/mistakes/**/*.md
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
-IDEA_BY_IDEA = re.compile(r"0[3-6]-\w+\.md")  # the chapters' texts
+IDEA_BY_IDEA = re.compile(r"0[2-6]-\w+\.md")  # the chapters' texts
 WORDS_IN_A_ROW = 350
 HIDDEN = "¤"  # stands for each character that is left out: lines and columns stay
 

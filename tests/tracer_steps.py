@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""tracer_steps.py [--draw]: types the learner's tracer as the texts of chapters 03 to 08 say, step by step.
+"""tracer_steps.py [--draw]: types the learner's tracer as the texts of chapters 02 to 08 say, step by step.
 
 A chapter begins with our answer to the graft before it. The text's blocks of ```diff change that program, one after the
 other, up to the section of the graft, in which the program is our answer to it. Checks that each step compiles, and
@@ -82,7 +82,7 @@ def main(draw):
     if not shutil.which("g++"):
         return 77
     count = shown = faults = 0
-    for path in sorted((ROOT / "docs").glob("0[3-8]-*.md")):
+    for path in sorted((ROOT / "docs").glob("0[2-8]-*.md")):
         for names, source in steps(path):
             count += 1
             with tempfile.TemporaryDirectory() as name:
