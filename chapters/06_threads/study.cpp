@@ -197,8 +197,8 @@ void study_waiting(study::Report& report, const Scene& scene) {
 }
 
 // Two workers count, each in a number of its own; the two numbers are a few bytes apart. Processors
-// move memory in lines of 64 bytes, often in pairs of lines, and only one core at a time can write
-// to a line.
+// move memory in lines, most of them of 64 bytes, often in pairs of lines; only one core at a time
+// can write to a line.
 void study_false_sharing(study::Report& report) {
     constexpr int count = 30'000'000;
     using Counter = std::atomic<std::uint64_t>;
