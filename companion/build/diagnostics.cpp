@@ -56,12 +56,13 @@ std::string place_in(const std::string& line, const std::vector<fs::path>& files
 }
 
 // The "file:line" in these files that made the compiler compile what is wrong elsewhere; empty if
-// there is none. g++ says so before the error, clang++ in notes.
+// there is none. g++ says so before the error. clang++ says so in notes; before the error, it names
+// only the #include.
 std::string came_from(const Diagnostic& error, const std::vector<fs::path>& files) {
-    for (auto line = error.from.rbegin(); line != error.from.rend(); ++line)
-        if (const std::string place = place_in(*line, files); !place.empty()) return place;
     for (const Diagnostic& note : error.notes)
         if (note.is_in(files) && has(note.what, "in instantiation of")) return note.place();
+    for (auto line = error.from.rbegin(); line != error.from.rend(); ++line)
+        if (const std::string place = place_in(*line, files); !place.empty()) return place;
     return "";
 }
 

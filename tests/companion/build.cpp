@@ -52,7 +52,7 @@ TEST_CASE("an error in the learner's file goes before others", "[build]") {
           "  which came from exercises/01_x/rt/a.hpp:7");
     // clang++ tells in notes how it came there.
     CHECK(first_error(here,
-                      elsewhere +
+                      "In file included from /c/exercises/01_x/rt/a.hpp:1:\n" + elsewhere +
                           "/usr/include/w.h:3:2: note: in instantiation of function 'g<C>'\n  g\n"
                           "/c/exercises/01_x/rt/a.hpp:7:2: note: in instantiation of function "
                           "'sort<C>' requested here\n  std::sort(c);\n",
