@@ -84,9 +84,21 @@ if ! grep -qF "compiler,$compiler," "$record"; then
     echo "the record is of $(sed -n 's/^compiler,\([^,]*\),.*/\1/p' "$record"), and this is $compiler: they are not compared"
     exit 0
 fi
-# The same program always takes the same number of instructions, to the last of the digits that are kept.
-diff "$record" "$folder/record" >"$folder/diff" || {
-    echo "instructions.csv (<) is not what the program does (>); costs.sh PROGRAM record writes it anew:"
-    cat "$folder/diff"
-    exit 1
-}
+# The same program always executes the same number of instructions. But what else is compiled beside a renderer changes
+# what the compiler inlines: up to 0.3 % were seen.
+awk -F, -v noise=0.5 '
+    function apart(a, b) { return a > b ? a - b : b - a }
+    { key = $1 "," $2 "," $4; percent = $(NF - 3); millions = $(NF - 1) }
+    NR == FNR { percents[key] = percent; counts[key] = millions; next }
+    !(key in counts) { print key ": not in the record"; wrong = 1; next }
+    apart(percent, percents[key]) > noise || apart(millions, counts[key]) * 100 > noise * counts[key] {
+        print key ": " counts[key] " million instructions in the record, " percents[key] " % more; actual: " \
+              millions ", " percent " % more"
+        wrong = 1
+    }
+    { delete counts[key] }
+    END {
+        for (key in counts) { print key ": in the record alone"; wrong = 1 }
+        if (wrong) print "costs.sh PROGRAM record writes instructions.csv anew"
+        exit wrong
+    }' "$record" "$folder/record"

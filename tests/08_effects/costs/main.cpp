@@ -88,7 +88,12 @@ Color draw(const Effects& chosen, const SceneDescription& scene, std::index_sequ
 }
 
 void print(const std::string& word) {
-    if (word == "compiler") std::puts("g++ " __VERSION__);
+#ifdef __x86_64__
+    const char* const processor = "x86-64";
+#else
+    const char* const processor = "another processor";
+#endif
+    if (word == "compiler") std::printf("g++ %s for %s\n", __VERSION__, processor);
     if (word == "materials") std::puts(name_of(shared_effects.front()).c_str());
     if (word == "every") std::puts(name_of(every_effect).c_str());
     if (word == "effects")
