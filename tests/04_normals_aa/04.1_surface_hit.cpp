@@ -187,12 +187,11 @@ TEST_CASE("04.1 the point is moved onto the surface", "[04.1]") {
         REQUIRE(t);
         const Hit hit = rt::surface_hit(sphere, ray, *t);
         const Real off = rt::length(hit.point - sphere.center) - sphere.radius;
-        INFO("the ray comes from 1000 units away; the point is "
-             << text(off) << " off the surface, but at most " << text(hit.point_error)
-             << " is point_error.\nHint: the "
-                "point is center + radius * "
-                "normal; origin + t * direction "
-                "only gives the normal");
+        INFO(
+            "the ray comes from 1000 units away; the point is "
+            << text(off) << " off the surface, and point_error is " << text(hit.point_error)
+            << ".\nHint: the point is center + radius * normal; origin + t * direction only serves "
+               "to find the normal");
         REQUIRE(std::abs(off) <= hit.point_error);
     }
 }

@@ -526,11 +526,12 @@ TEST_CASE("04.7 most_likely limits how likely a path is to go on", "[04.7]") {
                 REQUIRE(is_near(c, before / p));
             }
             const double expected = count * static_cast<double>(p);
+            const double deviation = std::sqrt(expected * (1 - static_cast<double>(p)));
             INFO(paths << ": " EXPECTED "that about " << expected << " of " << count
                        << " go on, " ACTUAL << going
                        << ".\nHint: the probability is the largest channel, however small, but at "
                           "most most_likely");
-            CHECK(std::abs(going - expected) <= 6 * std::sqrt(expected));
+            CHECK(std::abs(going - expected) <= 6 * deviation);
             INFO("the values are how many random numbers were drawn for " << count << " decisions");
             CHECK(random.draws <= count);
         }
