@@ -79,9 +79,9 @@ void draw(const RootsControls& c, Drawing& out) {
     if (!low) {
         out.text(at.to_page({0, -1.25}), "D < 0: no solution", muted);
         const Meetings wrong = meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
-        out.say(wrong.count ? "D/4 = {+}: the line misses, but float says that it hits."
-                            : "D/4 = {+}: the line passes {} beyond the surface.",
-                quarter, wrong.count ? 0 : std::sqrt(dot(moment, moment) / a) - sphere.radius);
+        out.say(wrong.count ? "D = {+}: the line misses, but float says that it hits."
+                            : "D = {+}: the line passes {} beyond the surface.",
+                4 * quarter, wrong.count ? 0 : std::sqrt(dot(moment, moment) / a) - sphere.radius);
         return;
     }
     const auto above = hit_sphere(sphere, ray, {std::nextafter(*low, rt::infinity), rt::infinity});
@@ -127,8 +127,8 @@ void draw(const RootsControls& c, Drawing& out) {
               "float, this chapter: a miss");
     say_error(out.height - 13, orange, textbook, "× float, textbook: off by {e}, {e}",
               "float, textbook: a miss");
-    out.say("D/4 = {+}, so the equation has two solutions: low = {.3}, high = {.3}.", quarter, *low,
-            high);
+    out.say("D = {+}, so the equation has two solutions: low = {.3}, high = {.3}.", 4 * quarter,
+            *low, high);
 }
 
 void drag(RootsControls& c, const Drag& to) {
