@@ -660,6 +660,8 @@ async function tryAnswers() {
     for (const [name, live, ...cases] of [
         ['04-normals_aa.html', '04.leave', [{ way: 0 }, /^([4-9]|\d\d) of 61 rays meet/], [{ way: 1, angle: 88, far: 4 }, /^0 of 61 rays meet/],
          [{ way: 2, radius: 5 }, /^0 of 61 rays meet/], [{ angle: 120 }, /^0 of 61 rays into/]],
+        ['03-sphere.html', '03.bytes', [{ byte: 188 }, /send 0\.50 of full light\. A byte of 188 stands for 0\.50\.$/],
+         [{ byte: 137, light: 0 }, /send 0\.25 .* 137 stands for 0\.25\.$/], [{ byte: 225, light: 2 }, /send 0\.75 .* 225 stands for 0\.75\.$/]],
         ['07-bvh.html', '07.slab', [{ px: 1, py: 3 }, /^A miss: the latest entry is 1\.00, the earliest exit 0\.67\.$/],
          [{ ox: 4, px: 5, oy: 2.5 }, /^A miss: the box is behind O, .* −1\.00\.$/],
          [{ ox: 2, px: 2, oy: 0, py: 1 }, /entry −∞, exit ∞\. A hit: the latest entry is 1\.00, the earliest exit 2\.00\.$/],

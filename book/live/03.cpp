@@ -246,4 +246,28 @@ void drag(NearestControls& c, const Drag& to) {
     }
 }
 
+// ---- Light and bytes ----
+
+// Between stripes of black and full light, so thin that the eye sees their mean, a gray of one
+// byte.
+void draw(const BytesControls& c, Drawing& out) {
+    const int white = 1 + static_cast<int>(c.light);  // of four rows
+    const int rows = static_cast<int>(std::round(0.28 * out.width * out.pixel_ratio));
+    out.height = rows / out.pixel_ratio;
+    Bytes& stripes = out.picture(1, rows);
+    for (int row = 0; row < rows; ++row)
+        stripes.set(0, row, row * white % 4 < white ? rt::Color{1, 1, 1} : rt::Color{});
+    out.show(stripes, {0, 0}, {out.width, out.height}, false);
+    const std::uint32_t gray = 0x010101 * static_cast<std::uint32_t>(c.byte);
+    out.box({0.3 * out.width, 0}, {0.7 * out.width, out.height}, rgb(gray));
+    out.say("The stripes send {.2} of full light. A byte of {} stands for {.2}.", 0.25 * white,
+            c.byte, rt::from_hex(gray).r);
+    out.handle_everywhere();
+}
+
+// To the right, brighter.
+void drag(BytesControls& c, const Drag& to) {
+    c.byte = std::round(c.byte + 255 * to.moved().x / to.width);
+}
+
 }  // namespace live
