@@ -33,11 +33,13 @@ row() {
 # share, against those; and loops written by hand.
 measure() {
     materials=$("$program" materials)
+    lit=$("$program" lit)
     every=$("$program" every)
     echo "study,variant,precision,x,x_name,error,error_name,cost,cost_name"
     echo "compiler,$("$program" compiler),,,,,,,"
     none=$(drawing none none) || return
     is="absent, unused, present"
+    by="all materials, lights and instances too, everything"
     for effect in $("$program" effects); do
         unused=$(drawing none "$effect") && present=$(drawing "$effect" "$effect") || return
         row "effects,$effect" 0 "$is" "$none" "$none"
@@ -47,13 +49,17 @@ measure() {
         by_every=$(drawing "$effect" "$every") || return
         case "+$materials+" in *"+$effect+"*)
             by_materials=$(drawing "$effect" "$materials") || return
-            row "shared,$effect" 0 "all materials, everything" "$by_materials" "$present" ;;
+            row "shared,$effect" 0 "$by" "$by_materials" "$present" ;;
         esac
-        row "shared,$effect" 1 "all materials, everything" "$by_every" "$present"
+        case $effect in lights | instances)
+            by_lit=$(drawing "$effect" "$lit") || return
+            row "shared,$effect" 1 "$by" "$by_lit" "$present" ;;
+        esac
+        row "shared,$effect" 2 "$by" "$by_every" "$present"
     done
     by_materials=$(drawing none "$materials") && by_every=$(drawing none "$every") || return
-    row "shared,matte" 0 "all materials, everything" "$by_materials" "$none"
-    row "shared,matte" 1 "all materials, everything" "$by_every" "$none"
+    row "shared,matte" 0 "$by" "$by_materials" "$none"
+    row "shared,matte" 2 "$by" "$by_every" "$none"
     for scene in none mirror+fuzz glass+lens; do
         hand=$(drawing "$scene" hand) && exact=$(drawing "$scene" "$scene") || return
         case $scene in none) name=matte ;; mirror*) name=metal ;; *) name="glass and a lens" ;; esac

@@ -3,9 +3,8 @@
 //   SCENE     the effects that the matte spheres of the scene get, such as glass+lens, or none
 //   RENDERER  the effects of the renderer, or hand: the loop written by hand for the scenes none,
 //             mirror+fuzz and glass+lens
-// costs compiler prints what compiled it. costs effects, costs materials and costs every print the
-// effects that there are, those of the renderer that scenes of any material share, and all as one
-// set.
+// costs compiler prints what compiled it, costs effects which effects there are, and costs
+// materials, costs lit and costs every those of the renderers that scenes share.
 
 #include <cstdio>
 #include <cstdlib>
@@ -95,6 +94,7 @@ void print(const std::string& word) {
 #endif
     if (word == "compiler") std::printf("g++ %s for %s\n", __VERSION__, processor);
     if (word == "materials") std::puts(name_of(shared_effects.front()).c_str());
+    if (word == "lit") std::puts(name_of(shared_effects[1]).c_str());
     if (word == "every") std::puts(name_of(every_effect).c_str());
     if (word == "effects")
         for (const NamedEffect& effect : all_effects) std::puts(effect.name);

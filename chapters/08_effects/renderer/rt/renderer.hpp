@@ -63,9 +63,10 @@ class Renderer {
 
     template <World AnyWorld, class Samples>
     Color pixel(const AnyWorld& world, const Samples& samples, int column, int row) const {
-        // With lights, and instances or motion, there is so much to inline that one renderer would
-        // take as long to compile as half of all others.
-        if constexpr (effects.lights && (effects.instances || effects.motion))
+        // With lights and one of these, there is so much to inline that the renderer would take up
+        // to three times as long to compile.
+        if constexpr (effects.lights &&
+                      (effects.instances || effects.motion || effects.fog || effects.own))
             return average(world, samples, column, row);
         else
             return inlined_average(world, samples, column, row);
