@@ -116,7 +116,8 @@ def phrases(text):
     ...             "right within 2", "the cosine behind", "there or not", "for a time of 0", "by the clock",
     ...             "your 08.6", "in 03.3's loop"):
     ...     assert len(list(phrases(bad))) == 1, bad
-    >>> for good in ("Who calls it? ", "the one who calls", "the one on the left", "some hundreds of rays", "the ¤¤¤ the", "It had had one."):
+    >>> for good in ("Who calls it? ", "the one who calls", "the one on the left", "some hundreds of rays",
+    ...              "the ¤¤¤ the", "It had had one."):
     ...     assert not list(phrases(good)), good
     """
     for pattern, better in PHRASES:

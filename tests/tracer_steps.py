@@ -7,6 +7,7 @@ that it draws the picture that the text shows next, images/NN-tracer-NAME.png, o
 With --draw, it writes these pictures.
 """
 
+import doctest
 import pathlib
 import re
 import shutil
@@ -81,6 +82,8 @@ def drawn(source, number, folder):
 def main(draw):
     if not shutil.which("g++"):
         return 77
+    if doctest.testmod()[0]:
+        return 1
     count = shown = faults = 0
     for path in sorted((ROOT / "docs").glob("0[2-8]-*.md")):
         for names, source in steps(path):

@@ -248,8 +248,7 @@ void drag(NearestControls& c, const Drag& to) {
 
 // ---- Light and bytes ----
 
-// Between stripes of black and full light, so thin that the eye sees their mean, a gray of one
-// byte.
+// A gray between stripes of black and white that are so thin that the eye sees their mean.
 void draw(const BytesControls& c, Drawing& out) {
     const int white = 1 + static_cast<int>(c.light);  // of four rows
     const int rows = static_cast<int>(std::round(0.28 * out.width * out.pixel_ratio));

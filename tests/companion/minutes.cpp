@@ -138,8 +138,8 @@ std::size_t end_of_section(const std::string& text, const Step& step) {
     return std::min({text.size(), text.find("\n## ", begin + 1), text.find("\n### ", begin + 1)});
 }
 
-// Lines that the text of an exercise has one type into one's own tracer, each of which the exercise
-// makes better. 00.1 is such a program from the start.
+// Lines that a text has one type into one's own tracer, with an exercise's idea or after the
+// exercise. In chapter 00, they are the exercise.
 int lines_for_the_tracer(const Course& course, const Step& step) {
     if (step.chapter.number() == "00") return 0;
     const std::string text = without_folds(read_file(course.root / step.chapter.text));
