@@ -1,6 +1,6 @@
 #pragma once
 #include <rt/color.hpp>
-#include <rt/world.hpp>
+#include <rt/interval.hpp>
 
 // What is special about rays from the eye: the lens through which they leave, and the haze on their
 // way to the first surface.
@@ -26,7 +26,7 @@ struct NoHaze {};
 
 // How far a ray gets before it meets a surface; infinity if it meets none. This takes a search of
 // its own, because the path loop does not tell where its first ray ended.
-template <class AnyRay, World<AnyRay> AnyWorld>
+template <class AnyWorld, class AnyRay>
 Real distance_ahead(const AnyWorld& world, const AnyRay& ray) {
     const auto hit = world.hit(ray, Interval{0, infinity});
     return hit ? hit->t : infinity;
