@@ -3,6 +3,7 @@
 #include <rt/bounds.hpp>
 #include <rt/hit_triangle.hpp>
 #include <rt/mesh.hpp>
+#include <rt/slab_ray.hpp>
 #include <rt/todo.hpp>
 #include <vector>
 
