@@ -47,6 +47,9 @@ function meta(page, { title, url }) {
     return all.join('\n');
 }
 
+// Whether a formula may be on the first screen: what is below a second picture is not.
+const beginsWithFormulas = ({ html }) => html.slice(0, 5000).split(/<(?:img|svg)/, 2).join('').includes('<math');
+
 // A book has all pages, its title, the exercises that have passed, where it is going to be and where its sources are. If
 // the live figures were not compiled, the page shows only their still pictures.
 export function layout(page, book) {
@@ -54,7 +57,7 @@ export function layout(page, book) {
     const live = hasLiveFigures && page.html.includes('<figure class="live') ? '\n<script src="assets/live.js"></script>' : '';
     const at = pages.indexOf(page);
     return `<!DOCTYPE html>
-<html lang="en"${page.html.slice(0, 5000).includes('<math') ? ' data-formulas' : ''}>
+<html lang="en"${beginsWithFormulas(page) ? ' data-formulas' : ''}>
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">

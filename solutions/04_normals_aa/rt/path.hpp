@@ -16,8 +16,8 @@ namespace rt {
 //   world      is a World: world.hit(ray, interval) gives the nearest hit
 //   materials  materials(direction, hit, random) gives std::optional<Scatter>, none if absorbed
 //   sky        sky(direction) gives the Color of the light from there
-//   ending     is an Ending: ending(throughput, random) decides about a path that has made its
-//   bounces random     random.uniform() gives a random number in [0, 1)
+//   ending     is an Ending: ending(throughput, random) decides how a path of `depth` bounces ends
+//   random     random.uniform() gives a random number in [0, 1)
 template <class AnyRay, class World, class Materials, class Sky, class Ending, class Random>
 Color path_radiance(AnyRay ray, const World& world, const Materials& materials, const Sky& sky,
                     const Ending& ending, int depth, Random& random) {

@@ -17,9 +17,9 @@ struct TypeList {};
 template <class... First, class... Second>
 TypeList<First..., Second...> operator+(TypeList<First...>, TypeList<Second...>);
 
-// The types of material in a renderer with these effects (given). A chapter that adds a material
-// adds a line here. Metal without fuzz is a Mirror, which draws no random numbers, and a material
-// with an image is an ImageMatte.
+// The types of material in a renderer with these effects (given). A new material gets a line here.
+// Metal without fuzz is a Mirror, which draws no random numbers, and a material with an image is an
+// ImageMatte.
 template <Effects effects>
 struct RendererMaterials {
     template <bool present, class... Types>
