@@ -44,7 +44,7 @@ TEST_CASE("06.3 the tiles are numbered row by row", "[06.3]") {
     for (int i = 0; i < 6; ++i) {
         const Tile tile = tile_at(grid, i);
         INFO("50x30 pixels in tiles of 20: tile " << i << " is " EXPECTED "at " << text(expected[i])
-                                                  << ", but yours gives " << text(tile));
+                                                  << ", " ACTUAL << text(tile));
         CHECK(tile == expected[i]);
     }
 }
@@ -257,7 +257,7 @@ TEST_CASE("06.3 tiles may have the largest size that fits into an int", "[06.3][
         }
         for (std::size_t i = 0; i < tiles.size(); ++i) {
             const Tile tile = tile_at(grid, static_cast<int>(i));
-            INFO("tile " << i << " is " EXPECTED "at " << text(tiles[i]) << ", but yours gives "
+            INFO("tile " << i << " is " EXPECTED "at " << text(tiles[i]) << ", " ACTUAL
                          << text(tile) << "\nHint: left + tile_size may not fit into an int");
             CHECK(tile == tiles[i]);
         }

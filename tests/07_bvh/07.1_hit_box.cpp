@@ -33,7 +33,7 @@ void check(const Box& box, Vec3 origin, Vec3 direction, Interval within, bool ex
                                << checkpoint::text(within.min) << " to "
                                << checkpoint::text(within.max) << ", margin "
                                << checkpoint::text(margin));
-    INFO(EXPECTED << (expected ? "a hit" : "no hit") << ", but yours gives the part from "
+    INFO(EXPECTED << (expected ? "a hit" : "no hit") << ", " ACTUAL "the part from "
                   << checkpoint::text(part.min) << " to " << checkpoint::text(part.max)
                   << ", which is " << (met ? "a hit" : "no hit") << ".\nHint: " << hint);
     CHECK(met == expected);
@@ -45,7 +45,7 @@ void check_part(const Box& box, const SlabRay& ray, Interval within, Interval ex
     const Interval part = hit_box(box, ray, within);
     INFO("within t from " << checkpoint::text(within.min) << " to " << checkpoint::text(within.max)
                           << " the ray is in the box from " << checkpoint::text(expected.min)
-                          << " to " << checkpoint::text(expected.max) << ", but yours says from "
+                          << " to " << checkpoint::text(expected.max) << ", " ACTUAL "from "
                           << checkpoint::text(part.min) << " to " << checkpoint::text(part.max)
                           << ".\nHint: " << hint);
     CHECK((part.min == expected.min && part.max == expected.max));

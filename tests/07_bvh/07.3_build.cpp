@@ -302,8 +302,8 @@ TEST_CASE("07.3 the box of a node encloses only its own spheres", "[07.3]") {
     const auto root =
         rt::build_node(std::span{order}.subspan(5), 5, std::span{boxes}, rt::split_in_half);
     const Box expected{{29, 4, 4}, {81, 6, 6}};
-    INFO("the numbers 8, 7, 5, 3: " EXPECTED "a "
-         << checkpoint::text(expected) << ", but yours is a " << checkpoint::text(root->box));
+    INFO("the numbers 8, 7, 5, 3: " EXPECTED "a " << checkpoint::text(expected) << ", " ACTUAL "a "
+                                                  << checkpoint::text(root->box));
     INFO("Hint: for (int number : order) join boxes[number] to the node's box, which starts empty");
     CHECK(checkpoint::text(root->box) == checkpoint::text(expected));
 }

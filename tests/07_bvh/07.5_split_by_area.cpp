@@ -263,8 +263,8 @@ TEST_CASE("07.5 a split and a leaf of almost the same cost are told apart", "[07
             const int left = rt::split_by_area(order, boxes);
             INFO("two cubes of edge " << checkpoint::text(edge) << ", the second one moved by "
                                       << checkpoint::text(gap) << " along x: " EXPECTED
-                                      << (apart ? "1, the split" : "0, the leaf")
-                                      << ", but yours gives " << left);
+                                      << (apart ? "1, the split" : "0, the leaf") << ", " ACTUAL
+                                      << left);
             REQUIRE(left == (apart ? 1 : 0));
         }
     }

@@ -49,7 +49,7 @@ LightSample sampled(const Sphere& light, Vec3 from, Vec2 place) {
     const auto sample = rt::sample_light(light, from, place);
     INFO("a light of radius " << text(light.radius) << " around " << text(light.center)
                               << ", seen from " << text(from)
-                              << ": a sample is expected, but yours gives none");
+                              << ": " EXPECTED "a sample, " ACTUAL "none");
     REQUIRE(sample);
     return *sample;
 }
@@ -117,7 +117,7 @@ void check_middle(const Sphere& light, Vec3 from) {
                               << ", seen from " << text(from) << ", place 0, 0");
     {
         INFO("place.x = 0 must lead to the light's center, in the direction "
-             << text(apart / distance) << ", but yours gives " << text(sample.direction)
+             << text(apart / distance) << ", " ACTUAL << text(sample.direction)
              << ".\nHint: orthonormal_basis(w) with w = (center - from) / d, of length 1, turns "
                 "(0, 0, 1) there; here k is 0, and so is the sine");
         if (!(max_component(sample.direction - apart / distance) <= rt::rounding_bound(30)))
@@ -226,14 +226,14 @@ TEST_CASE("08.3 the density is one over the solid angle", "[08.3]") {
     const Real density = rt::light_density(usual, from);
     {
         INFO(EXPECTED
-             << text(expected) << ", but yours gives " << text(density)
+             << text(expected) << ", " ACTUAL << text(density)
              << ".\nHint: the solid angle of a cap is 2 pi times its height, and the density "
                 "is 1 / (2 * pi * height), with the parentheses");
         check_near(density, expected, rt::rounding_bound(30) * expected);
     }
     const Real inside = rt::light_density(usual, usual.center + Vec3{Real(0.2), 0, Real(0.1)});
     INFO("for a point inside the light: " EXPECTED
-         << text(1 / (4 * rt::pi)) << ", but yours gives " << text(inside)
+         << text(1 / (4 * rt::pi)) << ", " ACTUAL << text(inside)
          << ".\nHint: from inside, the light is seen in every direction");
     check_near(inside, 1 / (4 * rt::pi), 4 * rt::epsilon);
     const Real on_surface = rt::light_density({{3, 0, -4}, 5}, {0, 0, 0});
@@ -391,7 +391,7 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
     {
         const Real density = rt::light_density(light, {1, 4, 1});
         INFO("on the surface itself, d = r, " EXPECTED
-             << text(1 / (4 * rt::pi)) << ", but yours gives " << text(density)
+             << text(1 / (4 * rt::pi)) << ", " ACTUAL << text(density)
              << ".\nHint: a point with d <= r counts as inside");
         check_near(density, 1 / (4 * rt::pi), 4 * rt::epsilon);
     }
@@ -472,7 +472,7 @@ TEST_CASE("08.3 even a very small light is sampled", "[08.3][hard]") {
         const LightSample sample = sampled(star, {0, 0, 0}, {Real(0.25), Real(0.5)});
         for (const Real density : {rt::light_density(star, {0, 0, 0}), sample.density}) {
             INFO("a light of radius " << text(ratio) << " at distance 1: " EXPECTED "the density "
-                                      << text(expected) << ", but yours gives " << text(density)
+                                      << text(expected) << ", " ACTUAL << text(density)
                                       << ".\nHint: the height h is large enough if it is at least "
                                          "std::numeric_limits<Real>::min()");
             check_near(density, expected, rt::rounding_bound(30) * expected);

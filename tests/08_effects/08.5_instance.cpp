@@ -146,7 +146,7 @@ TEST_CASE("08.5 point and normal are in world space", "[08.5]") {
         CHECK(is_near(hit.normal, expected, 1));
     }
     {
-        INFO("t must be the given t of the ray in world space: " EXPECTED "4.1, but yours is "
+        INFO("t must be the given t of the ray in world space: " EXPECTED "4.1, " ACTUAL
              << checkpoint::text(hit.t));
         CHECK(hit.t == Real(4.1));
     }

@@ -48,8 +48,8 @@ void check_filter(const Paths& list, const Masks& masks, unsigned bit, std::uint
             std::mismatch(actual.begin(), actual.end(), expected.begin(), expected.end()).first -
             actual.begin());
         const std::size_t first = same < 12 ? 0 : same;
-        INFO(EXPECTED << expected.size() << " paths " << text(expected, first)
-                      << ", but yours gives " << count << ' ' << text(actual, first));
+        INFO(EXPECTED << expected.size() << " paths " << text(expected, first) << ", " ACTUAL
+                      << count << ' ' << text(actual, first));
         {
             INFO(
                 "Hint: `to` has room for as many paths as the list has, and no more: do not write "

@@ -57,7 +57,7 @@ void check_log(const Log& actual, const Log& expected) {
                     "right, an earlier child has overwritten this node's list or masks: check "
                     "which memory you passed to it";
         }
-        INFO("test or visit " << i << ": " EXPECTED << text(expected, i, from) << ", but yours is "
+        INFO("test or visit " << i << ": " EXPECTED << text(expected, i, from) << ", " ACTUAL
                               << text(actual, i, from));
         INFO("Hint: " << hint);
         REQUIRE(text(actual, i, from) == text(expected, i, from));

@@ -44,8 +44,7 @@ void check_pack(const Lots& lots, rt::PackBits active, const char* hint) {
         INFO("lane " << i << " of the pack: the normal " << text(lots[i].normal)
                      << " and the sample point (" << text(lots[i].place.x) << ", "
                      << text(lots[i].place.y) << ") of the unit square");
-        INFO(EXPECTED << text(expected) << ", but yours gives " << text(actual)
-                      << ".\nHint: " << hint);
+        INFO(EXPECTED << text(expected) << ", " ACTUAL << text(actual) << ".\nHint: " << hint);
         REQUIRE(text(actual) == text(expected));
     }
     CHECK(all_same);

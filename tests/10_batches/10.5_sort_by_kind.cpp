@@ -44,8 +44,8 @@ void check_sort(const Paths& list, const Kinds& kinds, std::uint8_t beside) {
     if (!is_right) {
         INFO(list.size() << " paths " << text(list) << " of the kinds " << text(kinds));
         for (std::size_t kind = 0; kind <= count; ++kind) {
-            INFO("the result's [" << kind << "]: " EXPECTED << first_expected[kind]
-                                  << ", but yours gives " << first[kind]);
+            INFO("the result's [" << kind << "]: " EXPECTED << first_expected[kind] << ", " ACTUAL
+                                  << first[kind]);
             INFO(
                 "Hint: element [k] is the number of paths whose kind is less than k; the last "
                 "element counts all");
@@ -59,8 +59,8 @@ void check_sort(const Paths& list, const Kinds& kinds, std::uint8_t beside) {
         }
         for (std::size_t place = 0; place < sorted.size(); ++place) {
             if (sorted[place] == sorted_expected[place]) continue;
-            INFO("to[" << place << "]: " EXPECTED "path " << sorted_expected[place]
-                       << ", but yours gives " << sorted[place]
+            INFO("to[" << place << "]: " EXPECTED "path " << sorted_expected[place] << ", " ACTUAL
+                       << sorted[place]
                        << (sorted[place] == unwritten
                                ? ", which means that nothing was written there"
                                : ""));

@@ -80,7 +80,7 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
             "a new number moves the mean by its distance from the mean, divided by the count that "
             "includes the new number";
         if (only_single_precision(known.mean, mean.high)) words = single_precision_hint;
-        INFO(EXPECTED "the mean " << checkpoint::text(mean) << ", but yours is "
+        INFO(EXPECTED "the mean " << checkpoint::text(mean) << ", " ACTUAL
                                   << checkpoint::text(known.mean) << ".\nHint: " << words);
         REQUIRE("mean " + checkpoint::text(known.mean) == "mean " + checkpoint::text(mean));
     }
@@ -89,7 +89,7 @@ void check_known(const RunningVariance& known, const Numbers& numbers, const cha
     if (!(std::abs(actual - deviation(squares.high)) <= 6 * std::sqrt(count) * unit)) {
         if (hint == plain_hint && only_single_precision(known.squares, squares.high))
             hint = single_precision_hint;
-        INFO(EXPECTED "the member squares " << checkpoint::text(squares) << ", but yours is "
+        INFO(EXPECTED "the member squares " << checkpoint::text(squares) << ", " ACTUAL
                                             << checkpoint::text(known.squares)
                                             << ".\nHint: " << hint);
         REQUIRE("squares " + checkpoint::text(known.squares) ==
@@ -166,7 +166,7 @@ TEST_CASE("11.1 one more number updates count and mean and squares", "[11.1]") {
         RunningVariance known = before;
         rt::add(known, number);
         INFO(text(before) << ", then the number " << number << ": " EXPECTED << text(after)
-                          << ", but yours gives " << text(known) << ".\nHint: " << plain_hint);
+                          << ", " ACTUAL << text(known) << ".\nHint: " << plain_hint);
         const auto is_near = [](Real a, Real b) {
             return std::abs(a - b) <= 8 * rt::epsilon * std::abs(b);
         };

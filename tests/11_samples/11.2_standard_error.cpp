@@ -75,7 +75,7 @@ void check_count(Real variance, Real error, std::int64_t most, std::int64_t fewe
         INFO("variance " << checkpoint::text(variance) << ", error " << checkpoint::text(error)
                          << ", most " << most);
         INFO(EXPECTED << fewest << (fewest < greatest ? " to " + std::to_string(greatest) : "")
-                      << ", but yours gives " << actual << ".\nHint: " << hint);
+                      << ", " ACTUAL << actual << ".\nHint: " << hint);
         REQUIRE(std::to_string(actual) == std::to_string(actual < fewest ? fewest : greatest));
     }
     CHECK(is_right);

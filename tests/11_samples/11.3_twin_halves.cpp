@@ -65,7 +65,7 @@ void check_worth(Real spread, Real mean_spread, Real error, CountLimits limits, 
         INFO("spread " << text(spread) << ", mean spread " << text(mean_spread) << ", error "
                        << text(error) << ", from " << limits.least << " to " << limits.most
                        << " samples");
-        INFO(EXPECTED << missed(actual, expected) << ", but yours gives " << actual
+        INFO(EXPECTED << missed(actual, expected) << ", " ACTUAL << actual
                       << ".\nHint: " << (hint == worth_hint && at_limit ? limits_hint : hint));
         REQUIRE(std::to_string(actual) == std::to_string(missed(actual, expected)));
     }
@@ -117,7 +117,7 @@ void check_counts(Halves<Real> spread, Halves<Real> mean_spread, Real error, Cou
                        << " in the second, mean spread " << text(mean_spread.first) << " and "
                        << text(mean_spread.second) << ", error " << text(error) << ", from "
                        << limits.least << " to " << limits.most << " samples");
-        INFO(EXPECTED << both_counts(wanted) << ", but yours gives " << both_counts(actual)
+        INFO(EXPECTED << both_counts(wanted) << ", " ACTUAL << both_counts(actual)
                       << ".\nHint: " << fitting);
         REQUIRE(both_counts(actual) == both_counts(wanted));
     }
@@ -349,7 +349,7 @@ TEST_CASE("11.3 unknown spreads get the most samples and spreads of 0 the fewest
         INFO("spread " << spread.first << " in the first half and " << spread.second
                        << " in the second, mean spread " << mean_spread.first << " and "
                        << mean_spread.second << ", error 1, from 2 to 50 samples");
-        INFO(EXPECTED << both_counts(expected) << ", but yours gives " << both_counts(actual)
+        INFO(EXPECTED << both_counts(expected) << ", " ACTUAL << both_counts(actual)
                       << ".\nHint: each half decides for the other, whatever its spread is");
         REQUIRE(both_counts(actual) == both_counts(expected));
     };

@@ -49,7 +49,7 @@ void check_mirrored(std::uint32_t x) {
     const std::uint32_t actual = rt::reversed_bits(x), expected = mirrored(x);
     const bool is_right = actual == expected;
     if (!is_right) {
-        INFO("reversed_bits(" << hex(x) << "): " EXPECTED << hex(expected) << ", but yours gives "
+        INFO("reversed_bits(" << hex(x) << "): " EXPECTED << hex(expected) << ", " ACTUAL
                               << hex(actual));
         INFO(
             "Hint: all 32 bits change places: bit 0 becomes bit 31, bit 1 becomes bit 30, and so "
@@ -87,8 +87,7 @@ void check_point(std::uint32_t index) {
                      return FixedPoint2{p.y, p.x};
                  }))
             hint = "x and y are swapped";
-        INFO("point " << index << ": " EXPECTED << text(expected) << ", but yours gives "
-                      << text(actual));
+        INFO("point " << index << ": " EXPECTED << text(expected) << ", " ACTUAL << text(actual));
         INFO("Hint: " << hint);
         REQUIRE(text(actual) == text(expected));
     }
@@ -109,7 +108,7 @@ void check_common_bits(std::uint32_t a, std::uint32_t b, std::uint32_t seed) {
         INFO("with seed " << hex(seed) << ", " << hex(a) << " becomes " << hex(scrambled_a)
                           << " and " << hex(b) << " becomes " << hex(scrambled_b));
         INFO("the two had their first " << expected << " bits in common: " EXPECTED << expected
-                                        << " afterward, but yours have " << actual);
+                                        << " afterward, " ACTUAL << actual);
         const char* hint =
             "a bit may depend only on itself and on the bits before it (to its left). Products and "
             "sums carry to the left: mirror the bits first, and mirror them back at the end";

@@ -69,7 +69,7 @@ void check_exposed(const Color& color, Real stops) {
     const bool is_right = is_near(actual, expected, 8 + static_cast<int>(2 * std::abs(stops)));
     if (!is_right) {
         INFO("exposed(" << text(color) << ", " << checkpoint::text(stops) << "): " EXPECTED
-                        << text(expected) << ", but yours gives " << text(actual));
+                        << text(expected) << ", " ACTUAL << text(actual));
         const char* hint =
             "multiply the light by 2 to the power of the stops: 3 stops are a factor of 8, -1 stop "
             "is one half, and 0 stops change nothing. std::exp2 takes fractions, too";
@@ -86,7 +86,7 @@ void check_luminance(const Color& color) {
     const bool is_right = is_near(actual, expected, 12);
     if (!is_right) {
         INFO("luminance(" << text(color) << "): " EXPECTED
-                          << checkpoint::text(static_cast<Real>(expected)) << ", but yours gives "
+                          << checkpoint::text(static_cast<Real>(expected)) << ", " ACTUAL
                           << checkpoint::text(actual));
         const char* hint =
             "the luminance is 0.2126 r + 0.7152 g + 0.0722 b; the light is already linear, "
@@ -108,7 +108,7 @@ void check_curve(Real luminance, Real white, int roundings = 16) {
     if (!is_right) {
         INFO("tone_curve(" << checkpoint::text(luminance) << ", white " << checkpoint::text(white)
                            << "): " EXPECTED << checkpoint::text(static_cast<Real>(expected))
-                           << ", but yours gives " << checkpoint::text(actual));
+                           << ", " ACTUAL << checkpoint::text(actual));
         const char* hint =
             "the two factors are L / (1 + L) and 1 + L / white^2; a luminance of `white` becomes 1";
         if (only_single_precision(wide(actual), expected))
@@ -138,8 +138,7 @@ void check_mapped(const Color& color, Real white, int roundings = 40) {
     const bool is_right = is_near(actual, expected, roundings);
     if (!is_right) {
         INFO("tone_mapped(" << text(color) << ", white " << checkpoint::text(white)
-                            << "): " EXPECTED << text(expected) << ", but yours gives "
-                            << text(actual));
+                            << "): " EXPECTED << text(expected) << ", " ACTUAL << text(actual));
         const char* hint =
             "multiply the whole color by one factor, tone_curve of its luminance divided by its "
             "luminance; the result then has the luminance that the curve gives";

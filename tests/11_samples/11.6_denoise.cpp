@@ -91,7 +91,7 @@ void check_weight(int across, int down, const Features& a, const Features& b,
              << " down, squares of the distances in widths: position " << static_cast<Real>(d.space)
              << ", albedo " << static_cast<Real>(d.albedo) << ", normal "
              << static_cast<Real>(d.normal) << ". Expected " << checkpoint::text(expected)
-             << ", but yours gives " << checkpoint::text(actual));
+             << ", " ACTUAL << checkpoint::text(actual));
         INFO("Hint: " << hint);
         REQUIRE(checkpoint::text(actual) == checkpoint::text(expected));
     }
@@ -242,7 +242,7 @@ void check_denoised(const Scene& scene, const DenoiseWidths& widths, const char*
     std::string words = suggestion(actual, scene, widths, roundings);
     if (words.empty()) words = hint;
     INFO("pixel (" << x << ", " << y << ") was " << text(scene.picture.at(x, y)) << ": " EXPECTED
-                   << text(expected.at(x, y)) << ", but yours gives " << text(actual.at(x, y)));
+                   << text(expected.at(x, y)) << ", " ACTUAL << text(actual.at(x, y)));
     INFO("Hint: " << words);
     REQUIRE(text(actual.at(x, y)) == text(expected.at(x, y)));
 }
