@@ -137,6 +137,10 @@ void read_line(const std::string& line, const std::filesystem::path& folder, Sce
     std::istringstream in{line};
     std::string word, mesh, more;
     if (!(in >> word)) return;
+    // Some standard libraries also read inf, nan and hexadecimal numbers.
+    const std::string numbers = line.substr(line.find(word) + word.size());
+    expect(word == "mesh" || numbers.find_first_not_of("0123456789+-.eE \t\r") == numbers.npos,
+           "decimal numbers after " + word);
     Sphere sphere{{}, 1, {}};
     Triangle triangle;
     if (word == "picture")
