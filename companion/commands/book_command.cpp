@@ -43,7 +43,7 @@ int book(const Course& course, const Given& given) {
     app::replace_file(course.out() / "mine.html", shared_page_html(page));
     std::printf("The page to share is out/mine.html.%s\n",
                 page.picture.empty()
-                    ? " It has no picture yet: draw the final scene with ./course mine, "
+                    ? " It has no picture yet: draw the final scene with ./course run 08, "
                       "then run ./course book --mine again."
                     : "");
     return app::done;

@@ -27,7 +27,9 @@ struct Given {
 #define SCRIPT(name, takes, about)
 #define OPTION(name, takes, about)
 #define COMMAND(name, takes, about) int name(const Course& course, const Given& given);
+#define ALIAS(name, takes, about) COMMAND(name, takes, about)
 #include <companion/commands/commands.inc>
+#undef ALIAS
 #undef COMMAND
 #undef OPTION
 

@@ -22,6 +22,7 @@ struct Declared {
 
 const Declared declared[] = {
 #define COMMAND(name, takes, about) {#name, takes, companion::name},
+#define ALIAS(name, takes, about) COMMAND(name, takes, about)
 #define OPTION(name, takes, about) {name, takes},
 #include <companion/commands/commands.inc>
 };

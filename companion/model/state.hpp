@@ -45,7 +45,7 @@ struct OwnRecord {
     bool core = false;              // the lines of rungs 1 to 6 pass
 };
 
-// The last picture that `mine` drew, and whose code drew it.
+// The last picture of the final scene that `run` drew, and whose code drew it.
 struct DrawnRecord {
     std::string hash{};                // of the picture's file
     std::vector<std::string> yours{};  // those for which the learner's code ran

@@ -164,13 +164,15 @@ std::string measured(const Certificate& certificate) {
            table_html(lines) + "</div>\n";
 }
 
-// The pictures of the final scene that `mine` and `certify` draw: takes the newer one.
+// The pictures of the final scene that `run` and `certify` draw: takes the newer one. What `run`
+// drew counts only if it has not been drawn again since in another way, such as in false colors.
 void take_picture(const Course& course, const State& state, SharedPage& page) {
     const Chapter last = core_chapters(course).back();
-    const fs::path mine = course.out() / "mine.png",
+    const fs::path mine = course.out() / (last.name + "_mine.png"),
                    certified = course.out() / "certificate" / last.picture();
     std::error_code none;
-    const bool has_mine = fs::is_regular_file(mine, none),
+    const bool has_mine =
+                   fs::is_regular_file(mine, none) && state.drawn.hash == hash_of(read_file(mine)),
                has_certified = fs::is_regular_file(certified, none);
     if (!has_mine && !has_certified) return;
     page.scene = last.caption;
@@ -180,7 +182,6 @@ void take_picture(const Course& course, const State& state, SharedPage& page) {
         return;
     }
     page.picture = read_file(mine);
-    if (state.drawn.hash != hash_of(page.picture)) return;
     Yours yours;
     for (const Exercise& exercise : exercises(course))
         if (exercise.chapter.name <= last.name)

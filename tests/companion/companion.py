@@ -1015,11 +1015,12 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
             self.assertTrue(terminal.echoes())
         self.assertEqual((self.root / "out/01_tiny_mine.png").read_text(), "a part\n")
 
-    def test_mine_keeps_the_older_picture(self):
-        self.put("out/mine.png", "a picture")
+    def test_mine_is_another_name_for_running_the_last_chapter(self):
+        self.put("program.sh", "#!/bin/sh\n[ \"$1\" != --out ] || { echo \"$*\"; echo a picture >\"$2\"; }\n")
+        self.assertEqual(self.course("mine"), f"--out {self.root}/out/01_tiny_mine.png\n")
         self.put("program.sh", "#!/bin/sh\nexit 1\n")
         self.course("mine", code=1)
-        self.assertEqual((self.root / "out/mine.png").read_text(), "a picture")
+        self.assertEqual((self.root / "out/01_tiny_mine.png").read_text(), "a picture\n")
 
     # ---- the page to share -------------------------------------------------------------------
 
@@ -1074,7 +1075,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.put("build/mine/rt/old.hpp", "old\n")
         said = self.course("book", "--mine")
         self.assertEqual(said, "Yours: 01.1. The solution's: 01.2.\nThe page to share is out/mine.html. It has no "
-                         "picture yet: draw the final scene with ./course mine, then run ./course book --mine again.\n")
+                         "picture yet: draw the final scene with ./course run 08, then run ./course book --mine again.\n")
         page = (self.root / "out/mine.html").read_text()
         self.assertIn("1 of 2 exercises pass", page)
         self.assertIn("Everything passed on one day", page)
@@ -1083,12 +1084,15 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertEqual((self.root / "build/mine/passed.txt").read_text(), "01.1\n")
         self.assertTrue((headers / "one.hpp").read_text().endswith("exercises/01_tiny/rt/one.hpp\"\nright\n"))
 
-        self.put("program.sh", "#!/bin/sh\necho a picture >$2\n")
-        self.course("mine")
+        self.put("program.sh", "#!/bin/sh\n[ \"$1\" != --out ] || echo a picture $3 >\"$2\"\n")
+        self.course("run", "01")
         self.assertIn("The page to share is out/mine.html.\n", self.course("book", "--mine"))
         page = (self.root / "out/mine.html").read_text()
         self.assertIn("Drawn by its author's code for 01.1, and by the course's for 01.2.", page)
         self.assertIn("base64,YSBwaWN0dXJlCg==", page)
+        # In false colors, it is not the final scene.
+        self.course("run", "01", "--show", "normal")
+        self.assertIn("It has no picture yet", self.course("book", "--mine"))
         self.course("book", code=2)
         self.course("book", "--mine", "x", code=2)
 

@@ -115,22 +115,23 @@ TEST_CASE("the page takes the newest picture, and says whose code drew it", "[sh
         write_file(folder / (std::string{"exercises/01_tiny/rt/"} + name + ".hpp"), "right\n");
 
     CHECK(collect_shared_page(course).picture.empty());
-    write_file(folder / "out/mine.png", "mine");
+    write_file(folder / "out/01_tiny_mine.png", "mine");
+    CHECK(collect_shared_page(course).picture.empty());  // there is no record of it
+    change_state(course, [](State& state) { state.drawn = {hash_of("mine"), {"01.1"}}; });
     SharedPage page = collect_shared_page(course);
     CHECK(page.picture == "mine");
     CHECK(page.scene == "A ball.");
-    CHECK(page.caption.empty());  // there is no record of it
-    change_state(course, [](State& state) { state.drawn = {hash_of("mine"), {"01.1"}}; });
-    CHECK(collect_shared_page(course).caption ==
-          "Drawn by its author's code for 01.1, and by the course's for 01.2.");
+    CHECK(page.caption == "Drawn by its author's code for 01.1, and by the course's for 01.2.");
 
     write_file(folder / "out/certificate/01_tiny.png", "certified");
-    fs::last_write_time(folder / "out/certificate/01_tiny.png",
-                        fs::last_write_time(folder / "out/mine.png") + std::chrono::seconds{5});
+    fs::last_write_time(
+        folder / "out/certificate/01_tiny.png",
+        fs::last_write_time(folder / "out/01_tiny_mine.png") + std::chrono::seconds{5});
     page = collect_shared_page(course);
     CHECK(page.picture == "certified");
     CHECK(page.caption == "Drawn by its author's code.");
-    fs::last_write_time(folder / "out/mine.png",
-                        fs::last_write_time(folder / "out/mine.png") + std::chrono::seconds{9});
+    fs::last_write_time(
+        folder / "out/01_tiny_mine.png",
+        fs::last_write_time(folder / "out/01_tiny_mine.png") + std::chrono::seconds{9});
     CHECK(collect_shared_page(course).picture == "mine");
 }
