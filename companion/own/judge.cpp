@@ -197,22 +197,24 @@ void look_at_refusal(const std::function<Result(Output)>& call, JudgedLine& line
     }
 }
 
+// The same of a scene.
+void look_at_refused_scene(const Trial& trial, const std::string& scene, const std::string& mesh,
+                           JudgedLine& line) {
+    line.looked = {scene, mesh, {}, {}};
+    look_at_refusal(
+        [&](Output output) { return trial.own.draw(scene, {}, mesh, {.output = output}).result; },
+        line);
+}
+
 const char* const refusal =
     "one line on standard error that says what is wrong, and an exit code other than 0";
 
 void judge_refusals(const Trial& trial, const std::string& part,
                     const std::vector<OwnScene>& scenes) {
     for (const OwnScene& scene : scenes)
-        trial.line({false, part + ": " + scene.name, "", refusal, scene.suggestion},
-                   [&](JudgedLine& line) {
-                       line.looked = {scene.text, scene.mesh, {}, {}};
-                       look_at_refusal(
-                           [&](Output output) {
-                               return trial.own.draw(scene.text, {}, scene.mesh, {.output = output})
-                                   .result;
-                           },
-                           line);
-                   });
+        trial.line(
+            {false, part + ": " + scene.name, "", refusal, scene.suggestion},
+            [&](JudgedLine& line) { look_at_refused_scene(trial, scene.text, scene.mesh, line); });
 }
 
 // What the program must refuse in each of these lines; the first that it takes is named.
@@ -220,12 +222,7 @@ void judge_limits(const Trial& trial) {
     for (const Limits& limits : broken_limits())
         trial.line({false, "broken: " + limits.name, "", refusal, ""}, [&](JudgedLine& line) {
             for (const std::string& text : limits.scenes) {
-                line.looked = {text, {}, {}, {}};
-                look_at_refusal(
-                    [&](Output output) {
-                        return trial.own.draw(text, {}, {}, {.output = output}).result;
-                    },
-                    line);
+                look_at_refused_scene(trial, text, {}, line);
                 if (line.passed) continue;
                 line.actual = '"' + text.substr(0, text.find('\n')) + "\": " + line.actual;
                 return;

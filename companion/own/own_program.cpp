@@ -28,8 +28,7 @@ std::string name_of_copy(const fs::path& folder) {
     if (read_file(folder / "build.sh").find("\r\n") != std::string::npos)
         throw app::Failure(
             "build.sh has the line ends of Windows, which sh takes for parts of words: save it "
-            "with "
-            "the line ends LF");
+            "with the line ends LF");
     return "own";
 }
 
@@ -89,7 +88,7 @@ Result OwnProgram::call(const std::vector<std::string>& words, Output output) co
 
 OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
                                    const std::vector<std::string>& options, const std::string& mesh,
-                                   const Call& how) const {
+                                   const HowCalled& how) const {
     static std::atomic<int> count = 0;
     const std::string number = std::to_string(count++);
     // The names are short and relative: on Windows, a program may not be able to read the letters
@@ -119,7 +118,7 @@ OwnProgram::Drawn OwnProgram::draw(const std::string& scene,
 
 OwnProgram::Drawn OwnProgram::picture(const std::string& scene,
                                       const std::vector<std::string>& options,
-                                      const std::string& mesh, const Call& how) const {
+                                      const std::string& mesh, const HowCalled& how) const {
     Drawn drawn = draw(scene, options, mesh, how);
     const std::string& said = drawn.result.output;
     if (!drawn.result.ok())

@@ -16,6 +16,12 @@ namespace fs = std::filesystem;
 // The largest file that such a program may write, in bytes.
 inline constexpr std::size_t most_picture = std::size_t{64} << 20;
 
+// How a program is called to draw a scene.
+struct HowCalled {
+    bool options_first = false;  // before the names of the files
+    Output output = Output::captured;
+};
+
 class OwnProgram {
   public:
     // Copies the folder's sources and runs `sh build.sh` in the copy, with these options for the
@@ -31,27 +37,14 @@ class OwnProgram {
         Picture picture;    // none if the program failed
         std::string bytes;  // of the picture's file
     };
-    // How it is called.
-    struct Call {
-        bool options_first = false;  // before the names of the files
-        Output output = Output::captured;
-    };
     // Draws a scene, given as its text. If `mesh` is not empty, it is the text of the file
     // shape.obj beside the scene. The result says how the program ended. Throws app::Failure only
     // if the program succeeded but wrote no picture.
     Drawn draw(const std::string& scene, const std::vector<std::string>& options,
-               const std::string& mesh, const Call& how) const;
-    Drawn draw(const std::string& scene, const std::vector<std::string>& options,
-               const std::string& mesh = {}) const {
-        return draw(scene, options, mesh, Call{});
-    }
+               const std::string& mesh = {}, const HowCalled& how = {}) const;
     // The same for a scene that the program must be able to draw: throws app::Failure if it cannot.
     Drawn picture(const std::string& scene, const std::vector<std::string>& options,
-                  const std::string& mesh, const Call& how) const;
-    Drawn picture(const std::string& scene, const std::vector<std::string>& options,
-                  const std::string& mesh = {}) const {
-        return picture(scene, options, mesh, Call{});
-    }
+                  const std::string& mesh = {}, const HowCalled& how = {}) const;
     // Calls the program with any arguments, in an empty folder. It may not start other processes,
     // nor write a file larger than 64 MB.
     Result call(const std::vector<std::string>& words, Output output = Output::captured) const;

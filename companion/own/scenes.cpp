@@ -501,10 +501,8 @@ OwnScene lit_balls(std::uint64_t seed) {
     matte(scene, any).sphere({x + any(1.1, 1.3), 0.4, any(0.7, 0.9)}, 0.4);
     return {"colored balls in the light", scene.text(),
             "A sphere's own color is multiplied by (1 + dot(normal, to_light)) / 2, and in shadow "
-            "by 0.4, too. Does "
-            "the normal point away from the center? Does the ray to the light start at the point "
-            "that is hit, with "
-            "an interval from 0.001 on?"};
+            "by 0.4, too. Does the normal point away from the center? Does the ray to the light "
+            "start at the point that is hit, with an interval from 0.001 on?"};
 }
 
 std::vector<OwnScene> hard_scenes(std::uint64_t seed) {

@@ -3,13 +3,8 @@
 # That one refuses the options that it lacks and says what takes them, and `./course run`, whose source is RUN, knows them.
 set -u
 program=$1 of_08=$2 scenes=$3 run=$4
-place=$(mktemp -d)
-trap 'rm -rf "$place"' EXIT
-failures=0
-complain() {
-    failures=$((failures + 1))
-    echo "$1"
-}
+# shellcheck source=tests/app/complain.sh
+. "$(dirname "$0")/complain.sh"
 
 for scene in matte cover; do
     for one in "$program" "$of_08"; do

@@ -4,13 +4,8 @@
 set -u
 program=$1
 scenes=$2
-place=$(mktemp -d)
-trap 'rm -rf "$place"' EXIT
-failures=0
-complain() {
-    failures=$((failures + 1))
-    echo "$1"
-}
+# shellcheck source=tests/app/complain.sh
+. "$(dirname "$0")/complain.sh"
 draw() { "$program" "$@" --width 48 --height 27 --depth 9; }
 
 # A scene with a mesh: two pyramids without a floor.

@@ -1,6 +1,6 @@
 #!/bin/sh
-# stopped.sh PROGRAM SCENES OPTION...: a long render with these options that is stopped by a signal leaves a picture of what is done
-# and says so; the exit code is 128 and the signal's number.
+# stopped.sh PROGRAM SCENES OPTION...: a long render with these options that is stopped by a signal leaves a picture of
+# what is done and says so; the exit code is 128 and the signal's number.
 set -u
 program=$1
 scene=$2/matte.json
