@@ -35,7 +35,7 @@ def applied(source, block, where):
     before = "".join(line[1:] or "\n" for line in lines if line[0] != "+")
     after = "".join(line[1:] or "\n" for line in lines if line[0] != "-")
     if source.count(before) != 1:
-        sys.exit(f"{where}: these lines are {source.count(before)} times in the tracer so far:\n{before}")
+        sys.exit(f"{where}: these lines are {source.count(before)} times in the program so far:\n{before}")
     return source.replace(before, after)
 
 

@@ -14,17 +14,9 @@ import tempfile
 import zlib
 
 ROOT = pathlib.Path(sys.argv[1])
+sys.path.insert(0, str(ROOT / "tests"))
+from tracer_steps import applied
 LINE = "g++ -std=c++20 -O2 first.cpp -o first && ./first > first.ppm"
-
-
-def applied(source, block):
-    """A block of ```diff: its lines without those with + are in the source, exactly once."""
-    lines = block.splitlines(keepends=True)
-    before = "".join(line[1:] for line in lines if line[0] != "+")
-    after = "".join(line[1:] for line in lines if line[0] != "-")
-    if source.count(before) != 1:
-        sys.exit(f"these lines are {source.count(before)} times in the program so far:\n{before}")
-    return source.replace(before, after)
 
 
 def steps(text):
@@ -32,7 +24,7 @@ def steps(text):
     source = ""
     for number, step in enumerate(re.split(r"\n\*\*Step \d", section)[1:], 1):
         for language, block in re.findall(r"\n```(cpp|diff)\n(.*?)```\n", step, re.S):
-            source = block if language == "cpp" else applied(source, block)
+            source = block if language == "cpp" else applied(source, block, "00.1")
         picture = re.search(r"\]\((images/[^)]*)\)", step)[1]
         yield number, source, picture
 
