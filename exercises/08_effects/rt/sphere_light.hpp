@@ -31,7 +31,7 @@ inline Real light_density(const Sphere& light, Vec3 from) {
 // this direction, and light_density. `place` is a sample point, 0 <= x, y < 1. x says how far the
 // direction is from the center (0) toward the rim (1), as a fraction of cone_height; y is the
 // fraction of a turn around the center, counted from any direction. If the point is not outside the
-// light, none will do.
+// light, you may return none.
 // Star: if the point is inside or on the surface, all directions must be equally likely.
 // Returns none where light_density is 0. The direction's length is accurate to 5 epsilon. The point
 // at the returned distance lies within rounding_bound(60) * (d + r) of the surface, where d is the
