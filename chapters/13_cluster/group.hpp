@@ -11,10 +11,9 @@
 #include <array>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
+#include <rt/hash_of.hpp>
 #include <rt/ranks.hpp>
-#include <rt/rng.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -68,57 +67,59 @@ inline int largest_tag() {
     return is_known ? *largest : 32'767;
 }
 
-// A hash of the bytes: the same for equal bytes, and different for different bytes, except for
-// about one pair in 2^64.
-inline std::uint64_t hash_of(const std::string& bytes) {
-    std::uint64_t hash = rt::mix_bits(bytes.size());
-    for (std::size_t at = 0; at < bytes.size(); at += 8) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, &bytes[at], std::min<std::size_t>(8, bytes.size() - at));
-        hash = rt::mix_bits(hash ^ word);
-    }
-    return hash;
-}
-
 // A hash of the program's file: it differs between compilers and between precisions.
 inline std::uint64_t hash_of_program() {
     std::ifstream in{"/proc/self/exe", std::ios::binary};
     std::ostringstream bytes;
     bytes << in.rdbuf();
-    return hash_of(bytes.str());
+    return rt::hash_of(bytes.str());
 }
 
-// All ranks must call this function. If a rank runs another program than rank 0, or was started
-// with other options, the function throws app::Failure on rank 0 and returns false on the other
-// ranks.
-inline bool all_alike(int argc, char** argv) {
+// The ranks of the group, as rank 0 knows them.
+struct Ranks {
+    bool are_alike = false;
+    std::vector<std::string> names = {};  // such as "rank 2 on node7"
+};
+
+// All ranks must call this function. If a rank runs another program than rank 0, was started with
+// other options, or has an MPI that does not allow threads, the function throws app::Failure on
+// rank 0, and the ranks are not alike on the other ranks.
+inline Ranks meet_ranks(int argc, char** argv) {
     constexpr int host_size = MPI_MAX_PROCESSOR_NAME;
     struct Introduction {
         std::uint64_t program, options;
+        int threads;  // what its MPI allows
         std::array<char, host_size> host;
     } mine{};
     std::string options;
     for (int i = 1; i < argc; ++i) options += std::string{argv[i]} + '\n';
     mine.program = hash_of_program();
-    mine.options = hash_of(options);
+    mine.options = rt::hash_of(options);
     int length = 0;
     MPI_Get_processor_name(mine.host.data(), &length);
+
+    MPI_Query_thread(&mine.threads);
 
     const bool is_first = rt::rank_of(MPI_COMM_WORLD) == 0;
     std::vector<Introduction> all(static_cast<std::size_t>(rt::rank_count(MPI_COMM_WORLD)));
     MPI_Gather(&mine, sizeof mine, MPI_BYTE, all.data(), sizeof mine, MPI_BYTE, 0, MPI_COMM_WORLD);
+    Ranks ranks;
     std::string wrong;
-    for (std::size_t rank = 1; rank < all.size() && is_first && wrong.empty(); ++rank) {
+    for (std::size_t rank = 0; rank < all.size() && is_first && wrong.empty(); ++rank) {
         const std::string name = "rank " + std::to_string(rank) + " on " + all[rank].host.data();
+        ranks.names.push_back(name);
         if (all[rank].program != mine.program)
             wrong = name + " runs another program than rank 0; start the same file everywhere";
         else if (all[rank].options != mine.options)
             wrong = name + " was started with other options than rank 0; give all the same";
+        else if (all[rank].threads < MPI_THREAD_FUNNELED)
+            wrong = name + " has an MPI that does not allow a program to have threads";
     }
     int is_alike = wrong.empty();
     MPI_Bcast(&is_alike, 1, MPI_INT, 0, MPI_COMM_WORLD);
     if (!wrong.empty()) throw app::Failure(wrong);
-    return is_alike != 0;
+    ranks.are_alike = is_alike != 0;
+    return ranks;
 }
 
 // All ranks must call this function. On each rank, returns the bytes that rank 0 has passed in.

@@ -1,15 +1,10 @@
 #pragma once
 // What rank 0 sends to the other ranks: the scene, and which part of the picture to draw.
 
-#include <stdlib.h>
-
 #include <algorithm>
 #include <app/errors.hpp>
 #include <app/files.hpp>
-#include <app/json.hpp>
 #include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <rt/scene.hpp>
 #include <rt/turned_view.hpp>
 #include <sstream>
@@ -18,12 +13,13 @@
 
 #include "final_scene.hpp"
 #include "open_meshed.hpp"
+#include "scene_value.hpp"
 
 namespace cluster {
 
 namespace fs = std::filesystem;
 
-// A file's name within the scene's folder, and its bytes.
+// A file's name within the scene's folder, and its bytes. The scene file has no name.
 struct NamedFile {
     std::string name, bytes;
 };
@@ -35,7 +31,8 @@ struct Job {
     int tile_side = 32;            // pixels
     int threads = 0;               // of each rank; 0: as many as its machine has
     bool in_slices = false;        // a slice of the rows for each rank instead of tiles
-    std::vector<int> tiles;        // the tiles to draw
+    int count = 0;                 // how many tiles there are to draw
+    std::vector<int> tiles;        // their numbers; empty if all tiles are to be drawn
     std::vector<NamedFile> files;  // the scene file and those that it names; none: the final scene
 };
 
@@ -47,7 +44,7 @@ inline std::string packed(const Job& job) {
          {std::uint64_t{job.is_none}, std::uint64_t(width), std::uint64_t(height),
           std::uint64_t(samples), std::uint64_t(depth), seed, std::uint64_t(job.frame),
           std::uint64_t(job.frames), std::uint64_t(job.tile_side), std::uint64_t(job.threads),
-          std::uint64_t{job.in_slices}, std::uint64_t{job.tiles.size()}})
+          std::uint64_t{job.in_slices}, std::uint64_t(job.count), std::uint64_t{job.tiles.size()}})
         out << number << ' ';
     for (const int tile : job.tiles) out << tile << ' ';
     out << job.files.size() << '\n';
@@ -56,13 +53,13 @@ inline std::string packed(const Job& job) {
     return out.str();
 }
 
-inline Job unpacked(const std::string& bytes) {
-    std::istringstream in{bytes};
+inline Job unpacked(std::string bytes) {
+    std::istringstream in{std::move(bytes)};
     Job job;
     auto& [width, height, samples, depth, seed] = job.settings;
     std::size_t tiles = 0, files = 0;
     in >> job.is_none >> width >> height >> samples >> depth >> seed >> job.frame >> job.frames >>
-        job.tile_side >> job.threads >> job.in_slices >> tiles;
+        job.tile_side >> job.threads >> job.in_slices >> job.count >> tiles;
     job.tiles.resize(tiles);
     for (int& tile : job.tiles) in >> tile;
     in >> files;
@@ -79,26 +76,34 @@ inline Job unpacked(const std::string& bytes) {
     return job;
 }
 
-// Adds the names of all files that a scene file names: the values of all keys "file".
-inline void add_names(const nlohmann::json& value, std::vector<std::string>& names) {
-    if (value.is_object())
-        for (const auto& [key, member] : value.items())
-            if (key == "file" && member.is_string()) names.push_back(member.get<std::string>());
-    if (value.is_structured())
-        for (const auto& member : value) add_names(member, names);
+// The number of the tile at `index`, 0 ... count - 1, among those that are to be drawn.
+inline int tile_number(const Job& job, int index) {
+    return job.tiles.empty() ? index : job.tiles[static_cast<std::size_t>(index)];
 }
 
-// The scene file, which must be readable, and the files that it names.
-inline std::vector<NamedFile> files_of(const fs::path& scene) {
-    constexpr std::size_t most = std::size_t{1} << 28;
-    std::vector<NamedFile> files{
-        {"scene.json", app::read_input_file(scene, scene.string(), app::max_json_bytes)}};
-    std::vector<std::string> names;
-    add_names(app::parse_json(files[0].bytes, scene.string()), names);
-    std::sort(names.begin(), names.end());
-    names.erase(std::unique(names.begin(), names.end()), names.end());
-    for (const std::string& name : names)
-        files.push_back({name, app::read_input_file(scene.parent_path() / name, name, most)});
+// The scene file, and the files that reading the scene takes, such as meshes and their materials.
+// Every rank keeps them in its memory while it reads the scene, so that together they may have at
+// most `most` bytes.
+inline std::vector<NamedFile> files_of(const fs::path& scene,
+                                       std::size_t most = std::size_t{1} << 29) {
+    const std::string text = app::read_input_file(scene, scene.string(), app::max_json_bytes);
+    const fs::path folder = scene.has_parent_path() ? scene.parent_path() : fs::path{"."};
+    std::vector<NamedFile> files{{"", text}};
+    std::size_t bytes = text.size();
+    full_renderer::parse_scene(
+        text, scene.string(),
+        [&](const app::Value& where, const std::string& name, const std::string& kind,
+            std::size_t most_bytes) {
+            for (const NamedFile& known : files)
+                if (known.name == name) return known.bytes;
+            files.push_back({name, effects::read_neighbor(where, name, folder, kind, most_bytes)});
+            bytes += files.back().bytes.size();
+            if (bytes > most)
+                throw app::UsageError(
+                    scene.string() + " and the files that it names are larger than " +
+                    std::to_string(most >> 20) + " MiB together, the most that ranks send");
+            return files.back().bytes;
+        });
     return files;
 }
 
@@ -108,24 +113,19 @@ inline void turn_to_frame(rt::SceneDescription& scene, const Job& job) {
     if (job.frames > 1) view = rt::turned_view(view, job.frame, job.frames);
 }
 
-// The scene of a job, on a rank that has nothing but the job's files.
+// The scene of a job, on a rank that has nothing but the job's files. Nothing is written to a disk.
 inline rt::MeshedDescription scene_of(const Job& job) {
     rt::MeshedDescription scene;
-    if (job.files.empty()) {
+    const auto find = [&](const app::Value& where, const std::string& name, const std::string&,
+                          std::size_t) {
+        for (const NamedFile& named : job.files)
+            if (named.name == name) return named.bytes;
+        where.fail("names a file that rank 0 has not sent");
+    };
+    if (job.files.empty())
         scene = {effects::final_scene(), {}};
-    } else {
-        std::string name = fs::temp_directory_path() / "scene.XXXXXX";
-        if (!::mkdtemp(name.data()))
-            throw app::Failure("a rank cannot make a folder in " +
-                               fs::temp_directory_path().string() + "; free some space there");
-        const fs::path folder = name;
-        for (const auto& [file, bytes] : job.files) {
-            fs::create_directories((folder / file).parent_path());
-            std::ofstream{folder / file, std::ios::binary} << bytes;
-        }
-        scene = full_renderer::read_scene(folder / "scene.json");
-        fs::remove_all(folder);
-    }
+    else
+        scene = full_renderer::parse_scene(job.files[0].bytes, "the scene", find);
     scene.settings = job.settings;
     turn_to_frame(scene, job);
     return scene;

@@ -1,6 +1,6 @@
 // Chapter 13: chapter 08's picture, drawn by many machines.
 //
-//     mpirun -n 4 build/bin/13_cluster_solution scene.json
+//     mpirun --bind-to none -n 4 build/bin/13_cluster_solution scene.json
 //
 // To read in five minutes: main() joins the group; rank 0 reads the options and the scene and tells
 // the other ranks what to draw (job.hpp); all ranks share out the picture (share.hpp), and rank 0
@@ -8,6 +8,7 @@
 
 #include <app/errors.hpp>
 #include <app/run.hpp>
+#include <app/threads.hpp>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -32,7 +33,8 @@ int own_threads() {
 // How far rank 0 has come.
 struct State {
     bool job_is_sent = false, is_shared = false;
-    fs::path folder = {};  // of finished tiles; empty if none are kept
+    std::optional<TileStore> store = {};  // if finished tiles are kept
+    std::vector<int> lost = {};           // the ranks that no longer answer
 };
 
 // Sets the frame of a turntable, 0 ... frames - 1, and the side of the tiles, as the options ask
@@ -59,73 +61,87 @@ bool is_given(const app::Settings& settings, const char* name) {
     return settings.given.count(name) > 0;
 }
 
-// The folder with the finished tiles of this very picture, drawn by this very program.
-fs::path folder_of_tiles(Job job) {
+const fs::path folder_of_tiles = "cluster-tiles";
+
+// Opens the file with the finished tiles of this very picture, drawn by this very program.
+void open_store(Job job, std::optional<TileStore>& store) {
     job.threads = 0;
+    const std::uint64_t picture = hash_of(packed(job), hash_of_program());
     char name[32];
-    std::snprintf(name, sizeof name, "%016llx",
-                  static_cast<unsigned long long>(hash_of(packed(job)) ^ hash_of_program()));
-    return fs::path{"cluster-tiles"} / name;
+    std::snprintf(name, sizeof name, "%016llx.tiles", static_cast<unsigned long long>(picture));
+    app::make_folder(folder_of_tiles);
+    store.emplace(folder_of_tiles / name, TilePlaces{grid_of(job), picture});
 }
 
-app::Picture draw_alone(const Job& job, const MeshedDescription& scene,
-                        const app::Settings& settings, app::Progress& progress) {
-    TileDrawer drawer{scene, settings.threads};
-    const TileGrid grid = grid_of(job);
-    Image image = Canvas<Color>{grid.width, grid.height};
-    std::uint64_t rays = 0;
-    progress.start(tile_count(grid));
-    for (int index = 0; index < tile_count(grid); ++index) {
-        const Tile tile = tile_at(grid, index);
-        const std::vector<Color> pixels = drawer.draw(tile, rays);
-        std::size_t next = 0;
-        for_each_pixel(tile, [&](int x, int y) { image.at(x, y) = pixels[next++]; });
-        progress.step();
-    }
-    return {std::move(image), rays};
+void send(Job& job, State& state) {
+    broadcast(packed(job));
+    state.job_is_sent = true;
+    job.files.clear();  // they take memory, and are no longer needed
+}
+
+void check_tags(const Job& job) {
+    if (job.count - 1 > largest_tag())
+        throw app::UsageError("--tile: tiles of " + std::to_string(job.tile_side) +
+                              " pixels are too many: " + std::to_string(job.count) +
+                              ", and MPI numbers messages only up to " +
+                              std::to_string(largest_tag()) + "; choose larger ones");
+}
+
+// Adds the tiles that earlier runs have finished, so that the others are left to be drawn. Returns
+// what to tell the user.
+std::string restore(TileStore& store, Collector& collector, Job& job) {
+    const int count = job.count;
+    job.tiles = store.restore(
+        [&](int tile, const std::vector<Color>& pixels) { collector.add_old(tile, pixels); });
+    job.count = static_cast<int>(job.tiles.size());
+    if (job.count == count) job.tiles.clear();
+    std::string words = rt::counted(count - job.count, "tile") + " of " + std::to_string(count) +
+                        " came from an earlier run";
+    if (store.damaged() > 0)
+        words += "; " + rt::counted(store.damaged(), "damaged tile") + " had to be drawn again";
+    return words + '\n';
+}
+
+app::Picture draw_in_tiles(Job& job, const MeshedDescription& scene, const app::Settings& settings,
+                           app::Progress& progress, State& state) {
+    job.count = tile_count(grid_of(job));
+    check_tags(job);
+    if (is_given(settings, "resume")) open_store(job, state.store);
+    Image image = Canvas<Color>{job.settings.width, job.settings.height};
+    Collector collector{job.count,
+                        [&, grid = grid_of(job)](int tile, const std::vector<Color>& pixels) {
+                            put_tile(tile_at(grid, tile), pixels, image);
+                        },
+                        state.store ? &*state.store : nullptr, progress};
+    const std::string restored = state.store ? restore(*state.store, collector, job) : "";
+    send(job, state);
+    TileDrawer drawer{colors_of(scene), settings.threads};
+    const Shared shared = share_tiles(job, drawer, &collector);
+    state.is_shared = true;
+    state.lost = shared.lost;
+    if (!collector.error().empty())
+        throw app::Failure(collector.error() +
+                           ". What is finished is kept: the same command goes on from there");
+    if (is_given(settings, "tint")) tint_edge(image, grid_of(job), collector.drawn_by());
+    return {std::move(image), shared.rays, [restored] { return restored; }};
 }
 
 app::Picture draw_in_group(Job job, const MeshedDescription& scene, const app::Settings& settings,
                            app::Progress& progress, State& state) {
     if (!settings.file.empty()) job.files = files_of(settings.file);
     rehearse();
-    if (is_given(settings, "resume")) {
-        state.folder = folder_of_tiles(job);
-        app::make_folder(state.folder);
+    app::Picture picture;
+    if (job.in_slices) {
+        send(job, state);
+        picture = share_slices(job, colors_of(scene), settings.threads);
+        state.is_shared = true;
+    } else {
+        picture = draw_in_tiles(job, scene, settings, progress, state);
     }
-    const int count = tile_count(grid_of(job));
-    if (!job.in_slices && count - 1 > largest_tag())
-        throw app::UsageError("--tile: tiles of " + std::to_string(job.tile_side) +
-                              " pixels are too many: " + std::to_string(count) +
-                              ", and MPI numbers messages only up to " +
-                              std::to_string(largest_tag()) + "; choose larger ones");
-    if (state.folder.empty())
-        for (int tile = 0; tile < count; ++tile) job.tiles.push_back(tile);
-    else
-        job.tiles = missing_tiles(state.folder, count);
-
-    Collector collector{job, state.folder, progress};
-    for (int tile = 0, next = 0; tile < count; ++tile)
-        if (next < static_cast<int>(job.tiles.size()) &&
-            job.tiles[static_cast<std::size_t>(next)] == tile)
-            ++next;
-        else
-            collector.add_old(tile);
-
-    broadcast(packed(job));
-    state.job_is_sent = true;
-    TileDrawer drawer{scene, settings.threads};
-    const std::uint64_t rays = job.in_slices ? share_slices(job, drawer, &collector.image())
-                                             : share_tiles(job, drawer, &collector);
-    state.is_shared = true;
-    if (!collector.error().empty())
-        throw app::Failure(collector.error() +
-                           ". What is finished is kept: the same command goes on from there");
-    if (is_given(settings, "tint"))
-        tint_edge(collector.image(), grid_of(job), collector.drawn_by());
-    return {std::move(collector.image()), rays, [ranks = rank_count(MPI_COMM_WORLD)] {
-                return "Drawn by " + rt::counted(ranks, "rank") + '\n';
-            }};
+    picture.words = [more = picture.words, ranks = rank_count(MPI_COMM_WORLD)] {
+        return "Drawn by " + rt::counted(ranks, "rank") + '\n' + (more ? more() : "");
+    };
+    return picture;
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress, State& state) {
@@ -144,22 +160,26 @@ app::Picture render(const app::Settings& settings, app::Progress& progress, Stat
             if (is_given(settings, option))
                 throw app::UsageError("--" + std::string{option} +
                                       " needs ranks: start the program with mpirun -n 2");
-        return draw_alone(job, scene, settings, progress);
+        return draw_alone(job, colors_of(scene), settings.threads, progress);
     }
     return draw_in_group(job, scene, settings, progress, state);
 }
 
 // What all ranks except rank 0 do. They print nothing unless they fail.
 int help_rank_0() {
-    const Job job = unpacked(broadcast({}));
+    Job job = unpacked(broadcast({}));
     if (job.is_none) return app::done;
     const int result = app::run_or_explain("13_cluster", [&] {
         const MeshedDescription scene = scene_of(job);
-        TileDrawer drawer{scene, job.threads > 0 ? job.threads : own_threads()};
-        if (job.in_slices)
-            share_slices(job, drawer, nullptr);
-        else
+        job.files.clear();  // they take memory, and are no longer needed
+        const PixelColor color = colors_of(scene);
+        const int threads = app::threads_that_start(job.threads > 0 ? job.threads : own_threads());
+        if (job.in_slices) {
+            share_slices(job, color, threads);
+        } else {
+            TileDrawer drawer{color, threads};
             share_tiles(job, drawer, nullptr);
+        }
         return app::done;
     });
     if (result != app::done) MPI_Abort(MPI_COMM_WORLD, result);
@@ -175,6 +195,7 @@ app::Program program(State& state) {
     defaults.depth = usual.depth;
     defaults.threads = own_threads();
     defaults.seed = usual.seed;
+    defaults.exposure = 0;
     return {.name = "13_cluster",
             .about = "chapter 08's picture, drawn by all ranks that mpirun starts",
             .defaults = defaults,
@@ -202,12 +223,12 @@ int main(int argc, char** argv) {
     app::Program first = program(state);
     if (!has_group()) return app::run(argc, argv, first);
     const Membership membership{argc, argv};
-    bool is_alike = false;
+    Ranks ranks;
     const int result = app::run_or_explain("13_cluster", [&] {
-        is_alike = all_alike(argc, argv);
+        ranks = meet_ranks(argc, argv);
         return app::done;
     });
-    if (!is_alike) return result;
+    if (!ranks.are_alike) return result;
     if (rank_of(MPI_COMM_WORLD) > 0) return help_rank_0();
     first.has_terminal = mpirun_has_terminal();
     const int code = app::run(argc, argv, first);
@@ -218,10 +239,17 @@ int main(int argc, char** argv) {
     } else if (!state.is_shared) {  // rank 0 failed in the middle, and the others wait for it
         MPI_Abort(MPI_COMM_WORLD, code);
     }
-    if (code == app::done && !state.folder.empty()) {
+    if (code == app::done && state.store) {
+        state.store->remove();
+        state.store.reset();
         std::error_code ignored;
-        fs::remove_all(state.folder, ignored);
-        fs::remove("cluster-tiles", ignored);  // if it is empty
+        fs::remove(folder_of_tiles, ignored);  // if it is empty
+    }
+    if (!state.lost.empty()) {
+        for (const int rank : state.lost)
+            std::fprintf(stderr, "13_cluster: %s no longer answers; the others drew its tiles\n",
+                         ranks.names[static_cast<std::size_t>(rank)].c_str());
+        MPI_Abort(MPI_COMM_WORLD, code);  // to end together, all ranks would have to answer
     }
     return code;
 }

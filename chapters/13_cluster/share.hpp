@@ -5,123 +5,88 @@
 
 #include <app/errors.hpp>
 #include <app/run.hpp>
+#include <atomic>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
-#include <future>
+#include <memory>
 #include <optional>
+#include <rt/draw_by_tiles.hpp>
 #include <rt/gather_rows.hpp>
-#include <rt/saved_tiles.hpp>
 #include <rt/slice_rows.hpp>
 #include <rt/tile_counter.hpp>
 #include <rt/tile_messages.hpp>
 #include <string>
 #include <thread>
+#include <vector>
 
+#include "collector.hpp"
 #include "job.hpp"
+#include "talk.hpp"
 #include "tile_drawer.hpp"
 
 namespace cluster {
 
 using namespace rt;
-using std::chrono::milliseconds;
 
 inline TileGrid grid_of(const Job& job) {
     return {job.settings.width, job.settings.height, job.tile_side};
 }
 
-// Collects the tiles of the picture at rank 0.
-class Collector {
-  public:
-    // Finished tiles are kept in `folder`; if its name is empty, none are kept.
-    Collector(const Job& job, std::filesystem::path folder, app::Progress& progress)
-        : grid_{grid_of(job)},
-          image_{Canvas<Color>{grid_.width, grid_.height}},
-          drawn_by_(static_cast<std::size_t>(tile_count(grid_)), -1),
-          folder_{std::move(folder)},
-          progress_{progress} {
-        progress_.start(tile_count(grid_));
-    }
-
-    // Adds a tile from an earlier run.
-    void add_old(int tile) { put(tile, load_tile(folder_, tile)); }
-
-    // Adds a tile that `rank` has drawn. If the tile cannot be written to the folder, error() tells
-    // why. Nothing is thrown, because the ranks must end together.
-    void add(int tile, int rank, const std::vector<Color>& pixels) {
-        put(tile, pixels);
-        drawn_by_[static_cast<std::size_t>(tile)] = rank;
-        if (folder_.empty() || !error_.empty()) return;
-        try {
-            save_tile(folder_, tile, pixels);
-        } catch (const std::runtime_error& error) {
-            error_ = error.what();
-        }
-    }
-
-    // Receives all tiles that have arrived.
-    void receive() {
-        while (const std::optional<ArrivedTile> arrived = receive_tile(MPI_COMM_WORLD)) {
-            add(arrived->tile, arrived->from, arrived->pixels);
-            ++received_;
-        }
-    }
-
-    std::int64_t received() const { return received_; }
-    const std::string& error() const { return error_; }
-    Image& image() { return image_; }
-    const std::vector<int>& drawn_by() const { return drawn_by_; }
-
-  private:
-    void put(int tile, const std::vector<Color>& pixels) {
-        std::size_t next = 0;
-        for_each_pixel(tile_at(grid_, tile),
-                       [&](int x, int y) { image_.at(x, y) = pixels.at(next++); });
-        progress_.step();
-    }
-
-    TileGrid grid_;
-    Image image_;
-    std::vector<int> drawn_by_;  // the rank that drew each tile; -1: none in this run
-    std::filesystem::path folder_;
-    app::Progress& progress_;
-    std::int64_t received_ = 0;
-    std::string error_;
-};
-
-// Calls work() in a thread of its own. Until work() returns, calls serve() once a millisecond in
-// the calling thread: only this thread may call MPI, and messages make progress only during calls
-// of MPI.
-template <class Work, class Serve>
-void work_and_serve(const Work& work, const Serve& serve) {
-    std::future<void> working = std::async(std::launch::async, work);
-    while (working.wait_for(milliseconds{1}) != std::future_status::ready) serve();
-    working.get();
+// Copies the pixels of a tile to its place in the picture.
+inline void put_tile(const Tile& tile, const std::vector<Color>& pixels, Image& image) {
+    std::size_t next = 0;
+    for_each_pixel(tile, [&](int x, int y) { image.at(x, y) = pixels.at(next++); });
 }
 
-// Draws this rank's share of the tiles. On all ranks except rank 0, `collector` is null. On rank 0,
-// returns the number of rays of all ranks.
-inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* collector) {
+// What rank 0 knows when the picture is finished.
+struct Shared {
+    std::uint64_t rays = 0;  // of all ranks
+    std::vector<int> lost;   // the ranks that no longer answer
+};
+
+// Draws this rank's share of the tiles. Each thread of `drawer` has a tile of its own. Meanwhile
+// the calling thread, the only one that may call MPI, takes the next tiles from the counter, and
+// sends or collects the finished ones. When no new tile is left, it takes tiles that are out. On
+// all ranks except rank 0, `collector` is null, and what is returned is empty. If a rank is lost,
+// no collective call of MPI can succeed afterward.
+inline Shared share_tiles(const Job& job, TileDrawer& drawer, Collector* collector) {
+    talk();
     const TileGrid grid = grid_of(job);
-    const int count = static_cast<int>(job.tiles.size());
-    TileCounter next{MPI_COMM_WORLD};
+    auto next = std::make_unique<TileCounter>(MPI_COMM_WORLD);
     TileSender sender{MPI_COMM_WORLD};
-    std::uint64_t rays = 0;
-    std::int64_t sent = 0;
-    const auto serve = [&] {
-        if (collector) collector->receive();
+    Helper self;
+    Helpers others;
+    Shared shared;
+    bool is_new_one_left = true;
+    const auto next_tile = [&]() -> std::optional<int> {
+        if (is_new_one_left) {
+            if (const std::optional<int> index = take_tile(*next, job.count))
+                return tile_number(job, *index);
+            is_new_one_left = false;
+        }
+        const std::optional<int> tile = collector ? collector->outstanding() : self.outstanding();
+        if (tile && drawer.is_drawing(*tile)) return {};
+        return tile;
     };
-    while (const std::optional<int> index = take_tile(next, count)) try {
-            const int tile = job.tiles[static_cast<std::size_t>(*index)];
-            std::vector<Color> pixels;
-            work_and_serve([&] { pixels = drawer.draw(tile_at(grid, tile), rays); }, serve);
+    for (bool is_over = false; !is_over;) try {
+            while (drawer.has_free_thread()) {
+                const std::optional<int> tile = next_tile();
+                if (!tile) break;
+                drawer.hand_out(*tile, tile_at(grid, *tile));
+            }
+            if (std::optional<DrawnTile> drawn = drawer.take_back(time_away)) {
+                shared.rays += drawn->rays;
+                if (collector)
+                    collector->add(drawn->number, 0, drawn->pixels);
+                else
+                    sender.send(drawn->number, std::move(drawn->pixels));
+            }
             if (collector) {
-                collector->add(tile, 0, pixels);
-                // The other ranks then find no more tiles.
-                if (!collector->error().empty()) next.fetch_add(count);
+                collector->receive();
+                others.answer([&] { return collector->outstanding(); });
+                is_over = collector->is_over();
             } else {
-                sender.send(tile, std::move(pixels));
-                ++sent;
+                is_over = self.is_dismissed();
             }
         } catch (const std::exception& error) {
             // All ranks must destroy the counter together, so one rank cannot stop alone.
@@ -129,34 +94,59 @@ inline std::uint64_t share_tiles(const Job& job, TileDrawer& drawer, Collector* 
                          error.what());
             MPI_Abort(MPI_COMM_WORLD, app::could_not);
         }
-    // Rank 0 goes on receiving until all ranks have said how many tiles they sent, and all of these
-    // tiles have arrived.
-    std::int64_t mine[2] = {sent, static_cast<std::int64_t>(rays)}, all[2] = {0, 0};
-    MPI_Request sums{};
-    MPI_Ireduce(mine, all, 2, MPI_INT64_T, MPI_SUM, 0, MPI_COMM_WORLD, &sums);
-    sender.finish();
-    for (int are_here = 0; collector && (!are_here || collector->received() < all[0]);) {
-        collector->receive();
-        if (!are_here) MPI_Test(&sums, &are_here, MPI_STATUS_IGNORE);
-        std::this_thread::sleep_for(milliseconds{1});
+    if (!collector) {
+        sender.finish();
+        self.say_farewell(shared.rays);
+        return {};
     }
-    if (!collector) MPI_Wait(&sums, MPI_STATUS_IGNORE);
-    return static_cast<std::uint64_t>(all[1]);
+    shared.lost = others.dismiss(std::chrono::seconds{5}, [&] { collector->receive(); });
+    shared.rays += others.rays();
+    if (!shared.lost.empty()) next.release();  // its destructor would wait for them
+    return shared;
 }
 
-// Draws this rank's slice of the rows. On rank 0, `image` gets the whole picture; on the other
-// ranks, it is null. On rank 0, returns the number of rays of all ranks.
-inline std::uint64_t share_slices(const Job& job, TileDrawer& drawer, Image* image) {
-    const auto& settings = job.settings;
-    const Rows rows =
-        slice_rows(settings.height, rank_count(MPI_COMM_WORLD), rank_of(MPI_COMM_WORLD));
-    std::uint64_t rays = 0, all_rays = 0;
-    const std::vector<Color> all =
-        gather_rows(drawer.draw({0, rows.begin, settings.width, rows.end}, rays), settings.width,
-                    settings.height, MPI_COMM_WORLD);
-    if (image) std::copy(all.begin(), all.end(), &image->at(0, 0));
-    MPI_Reduce(&rays, &all_rays, 1, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
-    return all_rays;
+// The rows of a picture, as an image can take them over without a copy.
+struct GatheredRows {
+    int columns = 0, rows = 0;
+    std::vector<Color> pixels;
+
+    int width() const { return columns; }
+    int height() const { return rows; }
+    Color* begin() { return pixels.data(); }
+};
+
+// Draws this rank's slice of the rows with this many threads. Returns the picture on rank 0, and
+// no picture on the other ranks.
+inline app::Picture share_slices(const Job& job, const PixelColor& color, int threads) {
+    const int width = job.settings.width, height = job.settings.height;
+    const Rows rows = slice_rows(height, rank_count(MPI_COMM_WORLD), rank_of(MPI_COMM_WORLD));
+    std::vector<Color> mine(static_cast<std::size_t>(width) *
+                            static_cast<std::size_t>(rows.end - rows.begin));
+    std::atomic<std::uint64_t> rays = 0;
+    render_tiles({width, rows.end - rows.begin, 16}, threads,
+                 [&](const Tile& tile, int /*worker*/) {
+                     std::uint64_t tile_rays = 0;
+                     for_each_pixel(tile, [&](int x, int y) {
+                         mine[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                              static_cast<std::size_t>(x)] = color(x, rows.begin + y, tile_rays);
+                     });
+                     rays += tile_rays;
+                 });
+    std::vector<Color> all = gather_rows(mine, width, height, MPI_COMM_WORLD);
+    const std::uint64_t own_rays = rays;
+    std::uint64_t all_rays = 0;
+    MPI_Reduce(&own_rays, &all_rays, 1, MPI_UINT64_T, MPI_SUM, 0, MPI_COMM_WORLD);
+    if (all.empty()) return {};
+    return {Image{GatheredRows{width, height, std::move(all)}}, all_rays};
+}
+
+// Draws the picture without other ranks.
+inline app::Picture draw_alone(const Job& job, const PixelColor& color, int threads,
+                               app::Progress& progress) {
+    return draw_by_tiles(
+        grid_of(job), threads, progress,
+        [draw = pixel_by_pixel(color)](const Tile& tile, int /*worker*/, Image& image,
+                                       std::uint64_t& rays) { return draw(tile, image, rays); });
 }
 
 // Calls the exercises 13.1 to 13.3 once, on this rank alone, so that an unwritten exercise is
@@ -165,8 +155,9 @@ inline void rehearse() {
     TileCounter next{MPI_COMM_SELF};
     TileSender sender{MPI_COMM_SELF};
     sender.send(take_tile(next, 1).value_or(0), {Color{}});
-    while (!receive_tile(MPI_COMM_SELF)) {
-    }
+    std::optional<ArrivingTile> arriving;
+    while (!arriving) arriving = receive_tile(MPI_COMM_SELF);
+    MPI_Wait(&arriving->request, MPI_STATUS_IGNORE);
     sender.finish();
     gather_rows(std::vector<Color>(1), 1, 1, MPI_COMM_SELF);
 }

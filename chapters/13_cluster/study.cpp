@@ -20,7 +20,7 @@
 namespace cluster {
 namespace {
 
-using rt::Real;
+using namespace rt;
 
 // ---- The samples of a pixel on several ranks -------------------------------------------------
 
@@ -111,24 +111,25 @@ constexpr int columns = 120, rows = 68, block = 8;
 std::vector<double> rays_of_blocks() {
     rt::MeshedDescription scene{effects::final_scene(), {}};
     scene.settings = {960, 540, 1, scene.settings.depth, 1};
-    TileDrawer drawer{scene, std::max(1, static_cast<int>(std::thread::hardware_concurrency()))};
-    std::vector<double> all;
-    for (int y = 0; y < rows; ++y)
-        for (int x = 0; x < columns; ++x) {
-            std::uint64_t rays = 0;
-            drawer.draw({x * block, y * block, (x + 1) * block, std::min(540, (y + 1) * block)},
-                        rays);
-            all.push_back(static_cast<double>(rays));
-        }
+    const PixelColor color = colors_of(scene);
+    std::vector<double> all(std::size_t{columns} * rows);
+    render_tiles({960, 540, block},
+                 std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
+                 [&](const Tile& tile, int /*worker*/) {
+                     std::uint64_t rays = 0;
+                     for_each_pixel(tile, [&](int x, int y) { color(x, y, rays); });
+                     all[static_cast<std::size_t>(tile.top / block * columns + tile.left / block)] =
+                         static_cast<double>(rays);
+                 });
     return all;
 }
 
-// The seconds that a machine takes for each tile of a larger picture: the same scene, eight times
-// as wide and as high, with 1024 samples per pixel. A block then has 64 x 64 pixels. Smaller tiles
-// have equal shares of a block's rays; larger tiles consist of several blocks.
-std::vector<double> tile_seconds(const std::vector<double>& rays, int side,
-                                 double seconds_per_ray) {
-    const double scale = 64.0 * 1024 * seconds_per_ray;
+// The seconds that a core takes for each tile of a larger picture: the same scene, eight times as
+// wide and as high, with 1024 samples per pixel. A block then has 64 x 64 pixels. Smaller tiles
+// have equal shares of a block's rays; larger tiles consist of several blocks. A core follows 1.2
+// million rays per second, the speed that the program prints.
+std::vector<double> tile_seconds(const std::vector<double>& rays, int side) {
+    const double scale = 64.0 * 1024 / 1.2e6;
     std::vector<double> tiles;
     if (side <= 64) {
         const int parts = 64 / side;
@@ -150,19 +151,19 @@ std::vector<double> tile_seconds(const std::vector<double>& rays, int side,
     return tiles;
 }
 
-// A machine has 16 cores, and each core follows 1.2 million rays per second, the speed that the
-// program prints.
-constexpr double seconds_per_ray = 1 / (16 * 1.2e6);
-// The costs that measure/measure.cpp printed for 4 ranks on one machine, where messages go through
-// its memory; and the costs over a network with a latency of 20 us and a bandwidth of 1 GB/s, for
-// colors of 24 bytes.
-constexpr Costs within_a_machine{2.4e-6, 0.5e-6, 2.5e-9}, over_a_network{20e-6, 20e-6, 24e-9};
-constexpr Costs without_a_collector{over_a_network.take, 0, 0};
+constexpr int cores = 16;  // of a machine
+
+// What measure/measure.cpp printed for 4 ranks on one machine, through its memory, and over TCP.
+// Between machines, a message takes longer: here with a latency of 20 us and a bandwidth of 1 GB/s,
+// for colors of 24 bytes.
+constexpr Costs within_a_machine{0.02e-6, 7e-6, 3.2e-9, 0.1e-6},
+    over_a_network{20e-6, 20e-6, 24e-9, 350e-6};
+constexpr Costs without_a_collector{over_a_network.take, 0, 0, over_a_network.delay};
 
 // The efficiency of n groups of machines: each group has its own counter and collector, and draws
 // every n-th tile of the picture.
 double efficiency_in_groups(const std::vector<double>& rays, int side, int machines, int groups) {
-    const auto tiles = tile_seconds(rays, side, seconds_per_ray);
+    const auto tiles = tile_seconds(rays, side);
     double drawing = 0, longest = 0;
     for (int group = 0; group < groups; ++group) {
         std::vector<double> own;
@@ -170,10 +171,11 @@ double efficiency_in_groups(const std::vector<double>& rays, int side, int machi
              i += static_cast<std::size_t>(groups))
             own.push_back(tiles[i]);
         for (const double seconds : own) drawing += seconds;
-        longest = std::max(longest,
-                           simulate(own, side * side, machines / groups, over_a_network).seconds);
+        longest = std::max(
+            longest,
+            simulate(own, side * side, {machines / groups, cores}, over_a_network).seconds);
     }
-    return drawing / (machines * longest);
+    return drawing / (machines * cores * longest);
 }
 
 // The efficiency with a slice of the rows for each machine (13.1), if nothing else costs time: all
@@ -193,45 +195,45 @@ double efficiency_of_slices(const std::vector<double>& rays, int machines) {
 
 void study_machines(study::Report& report) {
     const std::vector<double> rays = rays_of_blocks();
-    const auto add = [&](const char* name, const std::string& variant, int side,
-                         const Costs& costs) {
-        const auto tiles = tile_seconds(rays, side, seconds_per_ray);
-        for (const int machines : {1, 10, 100, 1000, 10'000})
-            report.add({name, variant, static_cast<double>(machines), "machines",
-                        100 * simulate(tiles, side * side, machines, costs).efficiency,
-                        "efficiency / %"});
+    const auto simulated = [&](int side, const Machines& machines, const Costs& costs) {
+        return simulate(tile_seconds(rays, side), side * side, machines, costs);
     };
-    for (const int machines : {1, 2, 4, 8})
-        report.add({"sharing", "slices", static_cast<double>(machines), "machines",
-                    100 * efficiency_of_slices(rays, machines), "efficiency / %"});
-    for (const int machines : {1, 2, 4, 8})
-        report.add({"sharing", "tiles of 64", static_cast<double>(machines), "machines",
-                    100 * simulate(tile_seconds(rays, 64, seconds_per_ray), 64 * 64, machines,
-                                   over_a_network)
-                              .efficiency,
+    const auto add = [&](const char* name, const std::string& variant, int machines,
+                         double efficiency) {
+        report.add({name, variant, static_cast<double>(machines), "machines", 100 * efficiency,
                     "efficiency / %"});
-    for (const int side : {8, 16, 64, 256})
-        add("machines", "tiles of " + std::to_string(side), side, over_a_network);
-    add("no rank 0 for all", "tiles of 16, no collector", 16, without_a_collector);
+    };
+    const auto tiles_of = [](int side) { return "tiles of " + std::to_string(side); };
+    for (const int machines : {1, 2, 4, 8})
+        add("sharing", "slices", machines, efficiency_of_slices(rays, machines));
+    for (const int machines : {1, 2, 4, 8})
+        add("sharing", "tiles of 32", machines,
+            simulated(32, {machines, cores}, over_a_network).efficiency);
+    for (const auto& [name, costs] : {std::pair{"machines", over_a_network},
+                                      std::pair{"messages through memory", within_a_machine}})
+        for (const int side : {8, 16, 32, 64})
+            for (const int machines : {1, 10, 100, 1000, 10'000})
+                add(name, tiles_of(side), machines,
+                    simulated(side, {machines, cores}, costs).efficiency);
+    for (const int machines : {1, 10, 100, 1000, 10'000})
+        add("no rank 0 for all", "tiles of 8, no collector", machines,
+            simulated(8, {machines, cores}, without_a_collector).efficiency);
     for (const int machines : {100, 1000, 10'000})
-        report.add({"no rank 0 for all", "tiles of 16, in 100 groups",
-                    static_cast<double>(machines), "machines",
-                    100 * efficiency_in_groups(rays, 16, machines, 100), "efficiency / %"});
-    for (const int side : {8, 16})
-        for (const int machines : {100, 1000, 10'000})
-            report.add({"no rank 0 for all", "tiles of " + std::to_string(side) + ", work stealing",
-                        static_cast<double>(machines), "machines",
-                        100 * simulate_stealing(tile_seconds(rays, side, seconds_per_ray), machines,
-                                                2 * over_a_network.take),
-                        "efficiency / %"});
-    for (const int side : {8, 16, 64, 256})
-        add("messages through memory", "tiles of " + std::to_string(side), side, within_a_machine);
-    for (const int side : {8, 16, 64, 256}) {
-        const auto tiles = tile_seconds(rays, side, seconds_per_ray);
+        add("no rank 0 for all", "tiles of 8, in 100 groups", machines,
+            efficiency_in_groups(rays, 8, machines, 100));
+    for (const int machines : {100, 1000, 10'000})
+        add("no rank 0 for all", "tiles of 8, work stealing", machines,
+            simulate_stealing(tile_seconds(rays, 8), machines * cores, 2 * over_a_network.message));
+    for (const int side : {8, 16, 32, 64})
         report.add({"last tile", "waiting", static_cast<double>(side), "pixels of a tile's side",
-                    100 * simulate(tiles, side * side, 1000, over_a_network).last_wait,
-                    "time of 1000 machines that wait for the last tile / %"});
-    }
+                    100 * simulated(side, {100, cores}, over_a_network).last_wait,
+                    "time of 100 machines that wait for the last tile / %"});
+    for (const bool draw_again : {false, true})
+        for (const double slow : {1, 2, 4, 10, 100})
+            report.add({"a slow machine", draw_again ? "out again" : "out once", slow,
+                        "times as slow as the other nine",
+                        simulated(32, {10, cores, slow, draw_again}, over_a_network).seconds,
+                        "seconds of 10 machines"});
 }
 
 void run_study(study::Report& report) {

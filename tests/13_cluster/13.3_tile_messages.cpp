@@ -3,7 +3,7 @@
 #include "on_ranks.hpp"
 
 using namespace checkpoint;
-using rt::ArrivedTile, rt::Color, rt::TileSender;
+using rt::ArrivingTile, rt::Color, rt::TileSender;
 
 namespace {
 
@@ -35,14 +35,15 @@ std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)
             return "expected " + std::to_string(count) + " tiles, actual " + std::to_string(i) +
                    ", and then none for 2 s\nHint: receive_tile must find messages from any rank "
                    "with any tag";
-        const std::optional<ArrivedTile> arrived = rt::receive_tile(ranks);
+        std::optional<ArrivingTile> arrived = rt::receive_tile(ranks);
         if (!arrived) {
             std::this_thread::sleep_for(milliseconds{1});
             continue;
         }
+        MPI_Wait(&arrived->request, MPI_STATUS_IGNORE);
         ++i;
         latest = MPI_Wtime();
-        const auto& [tile, from, pixels] = *arrived;
+        const auto& [tile, from, pixels, request] = *arrived;
         const std::string name = "tile " + std::to_string(tile);
         if (sender_of(tile) == 0 || !known.insert(tile).second)
             return "a tile has the number " + std::to_string(tile) +
@@ -67,7 +68,7 @@ std::string receive(MPI_Comm ranks, int count, const std::function<int(int tile)
                    (is_of_other
                         ? "these are the pixels of tile " + std::to_string(red) +
                               ", from another rank. Receive the very message that you have found: "
-                              "pass status.MPI_SOURCE and status.MPI_TAG to MPI_Recv"
+                              "pass status.MPI_SOURCE and status.MPI_TAG to MPI_Irecv"
                         : "MPI reads the pixels until the message has been sent; until then, they "
                           "must neither be destroyed nor move");
         }
@@ -219,12 +220,13 @@ TEST_CASE("13.3 rank 0 may send a tile to itself", "[13.3]") {
     on_ranks(1, [](MPI_Comm ranks) {
         TileSender sender{ranks};
         sender.send(3, tile_of(3, small));
-        std::optional<ArrivedTile> arrived;
+        std::optional<ArrivingTile> arrived;
         for (int i = 0; i < 500 && !arrived; ++i) {
             arrived = rt::receive_tile(ranks);
             std::this_thread::sleep_for(milliseconds{1});
         }
         if (!arrived) return std::string{"expected tile 3 from rank 0, actual no tile after 0.5 s"};
+        MPI_Wait(&arrived->request, MPI_STATUS_IGNORE);
         sender.finish();
         if (arrived->tile == 3 && arrived->from == 0 && arrived->pixels == tile_of(3, small))
             return std::string{};
@@ -245,6 +247,38 @@ TEST_CASE("13.3 receiving does not wait for a message", "[13.3]") {
                 ranks, 1, [](int) { return small; }, from_rank_1);
         if (rt::rank_of(ranks) == 1) sender.send(1, tile_of(1, small));
         sender.finish();
+        return wrong;
+    });
+}
+
+TEST_CASE("13.3 receiving does not wait for the pixels", "[13.3]") {
+    // Rank 1 stops in the middle of a message: it has begun to send, and makes no call of MPI.
+    on_ranks(2, [](MPI_Comm ranks) {
+        std::string wrong;
+        if (rt::rank_of(ranks) == 1) {
+            TileSender sender{ranks};
+            sender.send(1, tile_of(1, 4 * large));
+            std::this_thread::sleep_for(milliseconds{800});
+            sender.finish();
+            return wrong;
+        }
+        std::optional<ArrivingTile> arriving;
+        double took = 0;
+        for (const double begin = MPI_Wtime(); !arriving && MPI_Wtime() < begin + 2;) {
+            const double call = MPI_Wtime();
+            arriving = rt::receive_tile(ranks);
+            took = MPI_Wtime() - call;
+        }
+        if (!arriving) return std::string{"expected tile 1 from rank 1, actual no tile after 2 s"};
+        if (took > 0.4)
+            wrong =
+                "rank 1 stops for 0.8 s in the middle of its message: expected that receive_tile "
+                "returns meanwhile, actual: it returned after " +
+                std::to_string(took) +
+                " s\nHint: MPI_Recv waits for the pixels; MPI_Irecv only begins to receive them";
+        MPI_Wait(&arriving->request, MPI_STATUS_IGNORE);
+        if (wrong.empty() && arriving->pixels != tile_of(1, 4 * large))
+            wrong = "expected the pixels of tile 1 when the request is done, actual others";
         return wrong;
     });
 }

@@ -17,12 +17,14 @@ namespace {
 
 using namespace rt;
 
-// The bytes of a tile's colors in a .ppm file, without the file's header.
-std::string bytes_of(const Tile& tile, const std::vector<Color>& colors) {
-    Image image = Canvas<Color>{tile.right - tile.left, tile.bottom - tile.top};
-    std::copy(colors.begin(), colors.end(), &image.at(0, 0));
-    const std::string file = encode_ppm(image);
-    return file.substr(file.size() - 3 * colors.size());
+// The bytes of a tile's pixels in a .ppm file, without the file's header.
+std::string bytes_of(const Tile& tile, const PixelColor& color) {
+    std::uint64_t rays = 0;
+    const std::string file =
+        encode_ppm(make_image(tile.right - tile.left, tile.bottom - tile.top, [&](int x, int y) {
+            return color(tile.left + x, tile.top + y, rays);
+        }));
+    return file.substr(file.size() - 3 * static_cast<std::size_t>(pixel_count(tile)));
 }
 
 void write_at(MPI_File file, std::int64_t place, const char* bytes, int count) {
@@ -51,11 +53,10 @@ int main(int argc, char** argv) {
     MPI_File_set_size(file, 0);  // removes the contents of an older file
     const int rank = rank_of(MPI_COMM_WORLD), count = rank_count(MPI_COMM_WORLD);
     if (rank == 0) write_at(file, 0, header.data(), static_cast<int>(header.size()));
-    cluster::TileDrawer drawer{scene, 1};
-    std::uint64_t rays = 0;
+    const PixelColor color = cluster::colors_of(scene);
     for (int index = rank; index < tile_count(grid); index += count) {
         const Tile tile = tile_at(grid, index);
-        const std::string bytes = bytes_of(tile, drawer.draw(tile, rays));
+        const std::string bytes = bytes_of(tile, color);
         const int row_bytes = 3 * (tile.right - tile.left);
         for (int y = tile.top; y < tile.bottom; ++y)
             write_at(file,

@@ -7,10 +7,11 @@
 
 namespace rt {
 
-// A tile that has arrived at rank 0.
-struct ArrivedTile {
+// A tile that is arriving at rank 0.
+struct ArrivingTile {
     int tile = 0, from = 0;  // the number of the tile, and the rank that drew it
     std::vector<Color> pixels;
+    MPI_Request request = MPI_REQUEST_NULL;  // when it is done, all pixels are here
 };
 
 // Sends tiles to rank 0 without waiting until they have arrived.
@@ -41,9 +42,9 @@ class TileSender {
     std::list<Message> messages_;  // in a list, each stays where it is
 };
 
-// Exercise 13.3. Called by rank 0. Returns a tile that has arrived, from any rank. If there is no
-// such tile, returns none without waiting.
-inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
+// Exercise 13.3. Called by rank 0. If the message of a tile has arrived, from any rank, begins to
+// receive its pixels; otherwise returns none. It does not wait.
+inline std::optional<ArrivingTile> receive_tile(MPI_Comm ranks) {
     return rt::todo("13.3", ranks);
 }
 

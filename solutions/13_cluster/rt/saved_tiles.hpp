@@ -1,49 +1,54 @@
 #pragma once
-#include <filesystem>
-#include <fstream>
+#include <istream>
+#include <optional>
+#include <ostream>
 #include <rt/color.hpp>
-#include <rt/tile_file.hpp>
+#include <rt/tile_places.hpp>
 #include <span>
 #include <stdexcept>
 #include <vector>
 
 namespace rt {
 
-// Writes the pixels of a tile to tile_file(folder, tile). The file gets this name only when it is
-// whole: at whatever moment the program ends, it leaves a whole file or none. Throws
-// std::runtime_error if the file cannot be written. An older file then stays as it was, and no
-// other file is left behind.
-inline void save_tile(const std::filesystem::path& folder, int tile,
+// Writes the checksum and the pixels of a tile to its place in the file. When the function returns,
+// the system has them, whatever becomes of the program. Throws std::runtime_error if they cannot be
+// written.
+inline void save_tile(std::ostream& file, const TilePlaces& places, int tile,
                       std::span<const Color> pixels) {
-    const std::filesystem::path file = tile_file(folder, tile),
-                                unfinished = file.string() + ".part";
-    std::ofstream out{unfinished, std::ios::binary};
-    out.write(reinterpret_cast<const char*>(pixels.data()),
-              static_cast<std::streamsize>(pixels.size_bytes()));
-    out.close();  // the last bytes are written here
-    std::error_code error;
-    if (out) std::filesystem::rename(unfinished, file, error);
-    if (!out || error) {
-        std::filesystem::remove(unfinished, error);
-        throw std::runtime_error(file.string() + " cannot be written; free some space there");
-    }
+    const std::uint64_t checksum = places.checksum(tile, pixels);
+    file.seekp(places.begin(tile));
+    file.write(reinterpret_cast<const char*>(&checksum), sizeof checksum);
+    file.write(reinterpret_cast<const char*>(pixels.data()),
+               static_cast<std::streamsize>(pixels.size_bytes()));
+    file.flush();  // the last bytes are written here
+    if (!file) throw std::runtime_error("a finished tile cannot be written");
 }
 
-// Reads the pixels from the file of a tile. The file exists.
-inline std::vector<Color> load_tile(const std::filesystem::path& folder, int tile) {
-    const std::filesystem::path file = tile_file(folder, tile);
-    std::vector<Color> pixels(std::filesystem::file_size(file) / sizeof(Color));
-    std::ifstream in{file, std::ios::binary};
-    in.read(reinterpret_cast<char*>(pixels.data()),
-            static_cast<std::streamsize>(pixels.size() * sizeof(Color)));
+// Reads the pixels of a tile from its place in the file. Returns none if the place does not hold
+// this tile, whole and unchanged.
+inline std::optional<std::vector<Color>> load_tile(std::istream& file, const TilePlaces& places,
+                                                   int tile) {
+    std::uint64_t checksum = 0;
+    std::vector<Color> pixels(places.pixels(tile));
+    file.clear();  // an earlier tile may lie beyond the end
+    file.seekg(places.begin(tile));
+    file.read(reinterpret_cast<char*>(&checksum), sizeof checksum);
+    file.read(reinterpret_cast<char*>(pixels.data()),
+              static_cast<std::streamsize>(pixels.size() * sizeof(Color)));
+    if (checksum != places.checksum(tile, pixels)) return {};  // also if there was less to read
     return pixels;
 }
 
-// Returns those of the tiles 0 ... count - 1 that have no file in the folder, in increasing order.
-inline std::vector<int> missing_tiles(const std::filesystem::path& folder, int count) {
+// Calls put(tile, pixels) for each tile of the picture that the file holds. Returns the numbers of
+// the others. Both go through the tiles in increasing order.
+inline std::vector<int> restore_tiles(std::istream& file, const TilePlaces& places,
+                                      const PutTile& put) {
     std::vector<int> missing;
-    for (int tile = 0; tile < count; ++tile)
-        if (!std::filesystem::exists(tile_file(folder, tile))) missing.push_back(tile);
+    for (int tile = 0; tile < tile_count(places.grid); ++tile)
+        if (const auto pixels = load_tile(file, places, tile))
+            put(tile, *pixels);
+        else
+            missing.push_back(tile);
     return missing;
 }
 

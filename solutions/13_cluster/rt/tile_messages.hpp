@@ -7,10 +7,11 @@
 
 namespace rt {
 
-// A tile that has arrived at rank 0.
-struct ArrivedTile {
+// A tile that is arriving at rank 0.
+struct ArrivingTile {
     int tile = 0, from = 0;  // the number of the tile, and the rank that drew it
     std::vector<Color> pixels;
+    MPI_Request request = MPI_REQUEST_NULL;  // when it is done, all pixels are here
 };
 
 // Sends tiles to rank 0 without waiting until they have arrived.
@@ -53,20 +54,22 @@ class TileSender {
     std::list<Message> messages_;  // in a list, each stays where it is
 };
 
-// Only rank 0 calls this function. Returns a tile that has arrived, from any rank, or none if no
-// tile has arrived. It does not wait.
-inline std::optional<ArrivedTile> receive_tile(MPI_Comm ranks) {
+// Only rank 0 calls this function. If the message of a tile has arrived, from any rank, begins to
+// receive its pixels; otherwise returns none. It does not wait.
+inline std::optional<ArrivingTile> receive_tile(MPI_Comm ranks) {
     int is_there = 0;
     MPI_Status status;
     MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, ranks, &is_there, &status);
     if (!is_there) return {};
     int count = 0;
     MPI_Get_count(&status, mpi_color(), &count);
-    ArrivedTile arrived{status.MPI_TAG, status.MPI_SOURCE, {}};
-    arrived.pixels.resize(static_cast<std::size_t>(count));
-    MPI_Recv(arrived.pixels.data(), count, mpi_color(), arrived.from, arrived.tile, ranks,
-             MPI_STATUS_IGNORE);
-    return arrived;
+    ArrivingTile arriving;
+    arriving.tile = status.MPI_TAG;
+    arriving.from = status.MPI_SOURCE;
+    arriving.pixels.resize(static_cast<std::size_t>(count));
+    MPI_Irecv(arriving.pixels.data(), count, mpi_color(), arriving.from, arriving.tile, ranks,
+              &arriving.request);
+    return arriving;
 }
 
 }  // namespace rt

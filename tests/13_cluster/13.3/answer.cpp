@@ -24,10 +24,10 @@ std::unique_ptr<Sender> make_sender(MPI_Comm ranks) {
     return std::make_unique<Own>(ranks);
 }
 
-std::optional<Arrived> receive_tile(MPI_Comm ranks) {
-    auto arrived = rt::receive_tile(ranks);
-    if (!arrived) return {};
-    return Arrived{arrived->tile, arrived->from, std::move(arrived->pixels)};
+std::optional<Arriving> receive_tile(MPI_Comm ranks) {
+    auto arriving = rt::receive_tile(ranks);
+    if (!arriving) return {};
+    return Arriving{arriving->tile, arriving->from, std::move(arriving->pixels), arriving->request};
 }
 
 }  // namespace EXPORTED

@@ -8,9 +8,10 @@
 
 namespace answer {
 
-struct Arrived {
+struct Arriving {
     int tile = 0, from = 0;
     std::vector<rt::Color> pixels;
+    MPI_Request request = MPI_REQUEST_NULL;
 };
 
 struct Sender {
@@ -20,6 +21,6 @@ struct Sender {
     virtual int kept() const = 0;
 };
 std::unique_ptr<Sender> make_sender(MPI_Comm ranks);
-std::optional<Arrived> receive_tile(MPI_Comm ranks);
+std::optional<Arriving> receive_tile(MPI_Comm ranks);
 
 }  // namespace answer

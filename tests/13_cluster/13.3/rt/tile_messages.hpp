@@ -4,7 +4,7 @@
 namespace rt {
 
 using answer::receive_tile;
-using ArrivedTile = answer::Arrived;
+using ArrivingTile = answer::Arriving;
 
 class TileSender {
   public:
