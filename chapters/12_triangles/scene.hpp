@@ -1,13 +1,17 @@
 #pragma once
-// The scene of chapter 12: a teapot afloat on a stormy sea of a million triangles.
+// The scenes of chapter 12: a teapot afloat on a stormy sea of a million triangles; before that, a
+// single triangle, a golden teapot of few, and a ball of few.
 
 #include <algorithm>
 #include <numbers>
+#include <rt/make_ball.hpp>
 #include <rt/make_teapot.hpp>
 #include <rt/mesh_world.hpp>
 #include <rt/portable.hpp>
 #include <rt/rng.hpp>
 #include <rt/scene.hpp>
+
+#include "facets.hpp"
 
 namespace triangles {
 
@@ -80,11 +84,13 @@ class Sea {
 };
 
 // The sea around the picture's middle, as two meshes, water and foam, with about `count` triangles
-// in all: n x n squares, which grow with their distance from the camera.
+// in all: n x n squares, which grow with their distance from the camera; and as facets, on the
+// right of the cut as far as one can tell them apart.
 struct SeaMeshes {
     Mesh water, foam;
+    Facets facets;
 };
-inline SeaMeshes make_sea(int count) {
+inline SeaMeshes make_sea(int count, const Cut& cut) {
     const int n = std::max(2, static_cast<int>(std::sqrt(count / 2.0)));
     const Sea sea;
     SeaMeshes meshes;
@@ -108,10 +114,25 @@ inline SeaMeshes make_sea(int count) {
         (squeezed(a) && squeezed(b) && squeezed(c) ? meshes.foam : meshes.water)
             .triangles.push_back({a, b, c});
     };
-    for (int row = 0; row < n; ++row)
-        for (int column = 0; column < n; ++column) {
-            add(corner(row, column), corner(row, column + 1), corner(row + 1, column));
-            add(corner(row, column + 1), corner(row + 1, column + 1), corner(row + 1, column));
+    // The sea is made block by block.
+    const int size = std::max(1, n / 56);
+    for (int top = 0; top < n; top += size)
+        for (int left = 0; left < n; left += size) {
+            const int bottom = std::min(n, top + size), right = std::min(n, left + size);
+            const Vec3 at = meshes.water.points[static_cast<std::size_t>(corner(top, left).point)];
+            if (cut.is_right_of(at) && at.z > Real(-10)) {
+                meshes.facets.add(meshes.water,
+                                  {corner(top, left), corner(top, right), corner(bottom, left)});
+                meshes.facets.add(meshes.water, {corner(top, right), corner(bottom, right),
+                                                 corner(bottom, left)});
+                continue;
+            }
+            for (int row = top; row < bottom; ++row)
+                for (int column = left; column < right; ++column) {
+                    add(corner(row, column), corner(row, column + 1), corner(row + 1, column));
+                    add(corner(row, column + 1), corner(row + 1, column + 1),
+                        corner(row + 1, column));
+                }
         }
     add_normals(meshes.water);
     add_normals(meshes.foam);
@@ -152,28 +173,84 @@ inline Scene make_scene(int count, const View& view) {
     description.camera = {view, {Real(0.06), Real(12)}, 0};
     description.sky = {{Real(1.35), Real(0.72), Real(0.42)}, {Real(0.10), Real(0.24), Real(0.55)}};
     description.images.push_back(make_glaze());
-    enum { water, foam, glaze, gold, sun, lamp, deep };
+    enum { water, foam, glaze, gold, sun, lamp, deep, blue, wire };
     description.materials = {Dielectric{Real(1.33)},
                              Lambertian{{Real(0.9), Real(0.9), Real(0.88)}},
                              PictureMatte{0},
                              Metal{from_hex(0xffc46b), Real(0.12)},
                              Emitter{{Real(2.6), Real(0.62), Real(0.16)}},
-                             Emitter{{Real(34), Real(29), Real(23)}},
-                             Lambertian{{Real(0.012), Real(0.10), Real(0.13)}}};
-    description.spheres.push_back({{{37, 19, -160}, 23}, sun, {}});
-    description.spheres.push_back({{{-45, 50, 50}, 9}, lamp, {}});  // behind us, on the left
+                             Emitter{{Real(3.4), Real(2.9), Real(2.3)}},
+                             Lambertian{{Real(0.012), Real(0.10), Real(0.13)}},
+                             Lambertian{from_hex(0x1b3f77)},
+                             Lambertian{{Real(0.85), Real(0.8), Real(0.7)}}};
+    description.spheres.push_back({{{74, 9, -160}, 12}, sun, {}});
+    description.spheres.push_back({{{-45, 50, 50}, 28}, lamp, {}});  // behind us, on the left
     description.spheres.push_back({{{0, -3004, 0}, 3000}, deep, {}});
 
-    const SeaMeshes sea = make_sea(count - 40'000);
+    const Cut cut{scene_view().from, {Real(3.8), Real(5), 0}, {Real(0.1), Real(-2.2), 0}};
+    const SeaMeshes sea = make_sea(count - 40'000, cut);
     scene.meshes.add(sea.water, {}, water);
     scene.meshes.add(sea.foam, {}, foam);
+    scene.meshes.add(sea.facets.faces, {}, water);
+    scene.meshes.add(sea.facets.wires, {}, wire);
     const Mat4 afloat =
         multiply(translation({Real(1.0), Real(-0.62), Real(0.6)}),
                  multiply(rotation_y(radians(-28)),
                           multiply(rotation_z(radians(13)), rotation_x(radians(-9)))));
-    scene.meshes.add(make_teapot(24, teapot_body), afloat, glaze);
-    for (const TeapotParts& parts : {teapot_lid, teapot_bottom, teapot_handle_and_spout})
+    for (const TeapotParts& parts : {teapot_body, teapot_handle_and_spout}) {
+        const CutPart part = cut_part(parts, afloat, cut);
+        const bool is_body = parts.first == teapot_body.first;
+        scene.meshes.add(part.smooth, afloat, is_body ? glaze : gold);
+        scene.meshes.add(part.facets.faces, afloat, is_body ? blue : gold);
+        scene.meshes.add(part.facets.wires, afloat, wire);
+    }
+    for (const TeapotParts& parts : {teapot_lid, teapot_bottom})
         scene.meshes.add(make_teapot(24, parts), afloat, gold);
+    return scene;
+}
+
+// The triangle that 12.1 draws.
+inline constexpr Triangle single_triangle{
+    {Real(-3), Real(-0.4), 0}, {Real(3), Real(-0.4), 0}, {Real(1), Real(3.8), 0}};
+
+// A golden teapot of some 550 triangles, on matte ground; flat, or with smooth normals.
+inline Scene make_pot(bool is_smooth, const View& view) {
+    Scene scene;
+    SceneDescription& description = scene.description;
+    description.camera = {view, {}, 0};
+    description.sky = {{Real(1.35), Real(0.72), Real(0.42)}, {Real(0.10), Real(0.24), Real(0.55)}};
+    enum { ground, gold };
+    description.materials = {Lambertian{{Real(0.5), Real(0.55), Real(0.55)}},
+                             Metal{from_hex(0xffc46b), Real(0.03)}};
+    description.spheres.push_back({{{0, -1000, 0}, 1000}, ground, {}});
+    Mesh pot = make_teapot(3);
+    if (!is_smooth)
+        for (auto& triangle : pot.triangles)
+            for (Corner& corner : triangle) corner.normal = -1;
+    scene.meshes.add(pot, translation({Real(-0.3), 0, Real(4)}), gold);
+    return scene;
+}
+
+// A ball of clay under a small lamp: a sphere, or a mesh of 20 * 4^cuts triangles with smooth
+// normals.
+inline Scene make_clay_ball(bool is_mesh, const View& view, int cuts = 2) {
+    Scene scene;
+    SceneDescription& description = scene.description;
+    description.camera = {view, {}, 0};
+    description.sky = {{Real(0.008), Real(0.010), Real(0.014)},
+                       {Real(0.012), Real(0.016), Real(0.024)}};
+    enum { clay, lamp };
+    description.materials = {Lambertian{from_hex(0xd9a27e)}, Emitter{{1400, 1400, 1400}}};
+    description.spheres.push_back({{{45, 30, -6}, 2}, lamp, {}});
+    const Vec3 center{Real(0.15), Real(1.45), 0};
+    constexpr Real radius = Real(3);
+    if (is_mesh) {
+        Mesh ball = make_ball(cuts);
+        for (Vec3& point : ball.points) point = radius * point;
+        scene.meshes.add(ball, translation(center), clay);
+    } else {
+        description.spheres.push_back({{center, radius}, clay, {}});
+    }
     return scene;
 }
 

@@ -24,3 +24,6 @@
 // For a function that consists of a hot loop: everything that it calls is inlined into it. So even
 // if the program has many such loops, each is as fast as it would be alone.
 #define RT_INLINES_ALL [[gnu::flatten]]
+
+// Asks for the memory around an address, which will be read soon.
+#define RT_PREFETCH(address) __builtin_prefetch(address)

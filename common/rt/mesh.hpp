@@ -1,5 +1,6 @@
 #pragma once
 #include <array>
+#include <rt/color.hpp>
 #include <rt/vec2.hpp>
 #include <rt/vec3_type.hpp>
 #include <vector>
@@ -24,6 +25,7 @@ struct Mesh {
     std::vector<Vec3> normals;  // length 1, outward
     std::vector<Vec2> uvs;  // (0, 0) is an image's lower left corner, (1, 1) the upper right one
     std::vector<std::array<Corner, 3>> triangles;
+    std::vector<Color> colors = {};  // of each point, in linear light; empty: none
 };
 
 }  // namespace rt

@@ -1,3 +1,3 @@
-// The only file that compiles the implementation of the library that reads OBJ files.
+// The only file that compiles the implementation of the library that reads material files.
 #define TINYOBJLOADER_IMPLEMENTATION
 #include <tiny_obj_loader.h>

@@ -1,6 +1,6 @@
+#include <rt/area_split.hpp>
 #include <rt/hit_triangle.hpp>
 #include <rt/shape_tree.hpp>
-#include <rt/split_by_area.hpp>
 #include <rt/triangle_shape.hpp>
 
 #include "shapes.hpp"
@@ -42,7 +42,7 @@ int nearest_of_all(const std::vector<SceneTriangle>& all, const Ray& ray, Interv
 }
 
 void check_tree(const std::vector<SceneTriangle>& all, const Ray& ray) {
-    const auto tree = rt::make_tree(all, rt::split_by_area);
+    const auto tree = rt::make_tree(all, rt::AreaSplit{});
     const Interval within{0, rt::infinity};
     const int expected = nearest_of_all(all, ray, within);
     const int actual = tree.search(ray, within).nearest;

@@ -304,3 +304,139 @@ TEST_CASE("12.3 light along the triangle still gives a normal", "[12.3][hard]") 
     CHECK(std::abs(length_of(bent) - 1) <= 8 * rt::epsilon);
     CHECK(bent.z > 0);
 }
+
+namespace {
+
+// A triangle with a normal at each corner, and the weights of a point in it.
+struct Lifted {
+    Triangle triangle;
+    std::array<Vec3, 3> normals;
+    Real u = 0, v = 0;
+
+    Vec3 lift() const { return rt::lift(triangle, normals, u, v); }
+    Real size() const {
+        return std::max(rt::max_component(triangle.b - triangle.a),
+                        rt::max_component(triangle.c - triangle.a));
+    }
+    std::string say() const {
+        return text(triangle) + " with the normals " + text(normals[0]) + ", " + text(normals[1]) +
+               ", " + text(normals[2]) + ", at u = " + text(u) + " and v = " + text(v);
+    }
+};
+
+// Normals that lean at most this far to the side.
+Lifted any_lifted(rt::Rng& rng, Real side) {
+    Lifted made{plain_triangle(rng), {}, rng.uniform(), rng.uniform()};
+    if (made.u + made.v > 1) made.u = 1 - made.u, made.v = 1 - made.v;
+    const ExactVec3 exact = exact_unit(exact_normal(made.triangle));
+    const Vec3 flat{static_cast<Real>(exact.x.high), static_cast<Real>(exact.y.high),
+                    static_cast<Real>(exact.z.high)};
+    for (Vec3& normal : made.normals) normal = leaning(rng, flat, side);
+    return made;
+}
+
+void check_lift(const Lifted& at, Vec3 expected, const char* hint) {
+    const Vec3 actual = at.lift();
+    const bool right = rt::max_component(actual - expected) <= 16 * rt::epsilon * at.size();
+    if (!right) {
+        INFO(at.say());
+        HINT(expected, actual, hint);
+        REQUIRE(right);
+    }
+    REQUIRE(right);
+}
+
+// The triangle from (-1, 0, 0) to (1, 0, 0) and up to (0, 1, 0).
+const Triangle in_plane{{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+
+}  // namespace
+
+TEST_CASE("12.3 a triangle whose normals are its own is not lifted", "[12.3]") {
+    rt::Rng rng{123, 8};
+    for (int i = 0; i < 2000; ++i)
+        check_lift(any_lifted(rng, 0), Vec3{},
+                   "the triangle is flat, and so is the surface that it stands for");
+    check_lift({in_plane, {up, up, up}, real(0.25), real(0.5)}, Vec3{},
+               "the triangle is flat, and so is the surface that it stands for");
+}
+
+TEST_CASE("12.3 between two corners the lift agrees with the example", "[12.3][hard]") {
+    const std::array<Vec3, 3> normals{
+        Vec3{real(-0.6), 0, real(0.8)}, {real(0.6), 0, real(0.8)}, {0, 0, 1}};
+    check_lift({in_plane, normals, real(0.5), 0}, {0, 0, real(0.48)},
+               "P - a is (1, 0, 0), and its dot product with a's normal is -0.6, so the way up to "
+               "this plane is 0.6 times the normal. Mix the ways with the weights of the corners");
+    check_lift({in_plane, normals, real(0.25), 0}, {0, 0, real(0.36)},
+               "each way counts with the weight of its corner: 1 - u - v, u and v");
+    check_lift({in_plane, normals, real(0.25), real(0.5)}, {0, 0, real(0.24)},
+               "each way counts with the weight of its corner: 1 - u - v, u and v");
+}
+
+TEST_CASE("12.3 at a corner nothing is lifted", "[12.3][hard]") {
+    rt::Rng rng{123, 9};
+    for (int i = 0; i < 3000; ++i) {
+        Lifted at = any_lifted(rng, real(0.6));
+        at.u = i % 3 == 1 ? Real(1) : Real(0);
+        at.v = i % 3 == 2 ? Real(1) : Real(0);
+        check_lift(at, Vec3{}, "the corner lies in its own plane, and the others have no weight");
+    }
+}
+
+TEST_CASE("12.3 a plane below the point lifts nothing", "[12.3][hard]") {
+    // A hollow: the normals lean inward.
+    const std::array<Vec3, 3> inward{
+        Vec3{real(0.6), 0, real(0.8)}, {real(-0.6), 0, real(0.8)}, {0, 0, 1}};
+    check_lift({in_plane, inward, real(0.25), real(0.25)}, Vec3{},
+               "a point that is above a plane does not go down to it");
+    check_lift({in_plane, {inward[0], {real(0.6), 0, real(0.8)}, up}, real(0.5), 0},
+               {real(0.18), 0, real(0.24)}, "only the planes that are above the point lift it");
+}
+
+TEST_CASE("12.3 the lift is the mean of the ways to three planes anywhere", "[12.3][hard]") {
+    rt::Rng rng{123, 10};
+    for (int i = 0; i < 50'000; ++i) {
+        Lifted at = any_lifted(rng, any_size(rng, -3, 0) * real(0.9));
+        // Of any size, and far from the origin. The corners are then rounded, so the exact lift is
+        // that of the rounded triangle.
+        const Real size = any_size(rng, -9, 9);
+        at.triangle = placed(at.triangle, size, size * any_size(rng, -2, 3) * in_cube(rng));
+        const std::array<Vec3, 3> corners{at.triangle.a, at.triangle.b, at.triangle.c};
+        const auto u = static_cast<double>(at.u), v = static_cast<double>(at.v);
+        const std::array<double, 3> weights{1 - u - v, u, v};
+        const ExactVec3 a = exact_vector(corners[0]);
+        const ExactVec3 point = a + Exact(u) * (exact_vector(corners[1]) - a) +
+                                Exact(v) * (exact_vector(corners[2]) - a);
+        double x = 0, y = 0, z = 0;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const ExactVec3 normal = exact_vector(at.normals[k]);
+            const double below = -dot(point - exact_vector(corners[k]), normal).high;
+            if (!(below > 0)) continue;
+            x += weights[k] * below * normal.x.high;
+            y += weights[k] * below * normal.y.high;
+            z += weights[k] * below * normal.z.high;
+        }
+        check_lift(at, {static_cast<Real>(x), static_cast<Real>(y), static_cast<Real>(z)},
+                   "measure the point from each corner, with the edges: far from the origin, the "
+                   "corners themselves have fewer digits");
+    }
+}
+
+TEST_CASE("12.3 a triangle in a ball is lifted out of the ball", "[12.3][hard]") {
+    rt::Rng rng{123, 11};
+    for (int i = 0; i < 20'000; ++i) {
+        const Vec3 middle = any_direction(rng);
+        const Real side = real(0.7) * any_size(rng, for_this_precision(-1, -3), 0);
+        std::array<Vec3, 3> corners;
+        for (Vec3& corner : corners) corner = leaning(rng, middle, side);
+        Lifted at{{corners[0], corners[1], corners[2]}, corners, rng.uniform(), rng.uniform()};
+        if (at.u + at.v > 1) at.u = 1 - at.u, at.v = 1 - at.v;
+        const Vec3 raised = point_of(at.triangle, at.u, at.v) + at.lift();
+        const bool right = length_of(raised) >= 1 - 8 * rt::epsilon;
+        if (right) continue;
+        INFO(at.say() << ": the distance of the raised point from the ball's middle is "
+                      << text(length_of(raised)) << "; " EXPECTED "1 or more");
+        INFO("Hint: the ball lies below all three planes, and the raised point above it");
+        REQUIRE(right);
+    }
+    SUCCEED();
+}

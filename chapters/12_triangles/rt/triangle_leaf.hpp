@@ -19,6 +19,7 @@ struct TriangleRay : Ray {
 template <>
 struct alignas(64) WideLeaf<SceneTriangle> {
     using ReadyRay = TriangleRay;
+    static constexpr bool is_read_ahead = true;
     // Coordinates by corner, then by axis. Unused lanes hold NaN, so that no ray hits them.
     std::array<std::array<Lanes<Real>, 3>, 3> corner;
     Lanes<std::int32_t> number{}, material{};
@@ -35,6 +36,13 @@ struct alignas(64) WideLeaf<SceneTriangle> {
                 corner[k][static_cast<std::size_t>(axis)][place] = along(points[k], axis);
         number[place] = its_number;
         material[place] = triangle.material;
+    }
+    // The place of the triangle with this number, which must be here.
+    std::size_t place_of(std::int32_t its_number) const {
+        unsigned places = 0;
+        for (std::size_t i = 0; i < lanes; ++i)
+            places |= static_cast<unsigned>(number[i] == its_number) << i;
+        return static_cast<std::size_t>(std::countr_zero(places));
     }
     // A triangle's number in the tree is its number in the scene.
     SceneTriangle shape(std::size_t i) const {

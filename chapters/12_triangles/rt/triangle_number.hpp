@@ -3,10 +3,10 @@
 
 namespace rt {
 
-// The number of the triangle that was hit, among the scene's triangles (given). A triangle is no
-// light, so a hit stores the triangle's number in `light`, the member for a light's number, as a
-// value less than -1. In a sphere's hit, `light` never has such a value. A member of its own would
-// also make every hit of a sphere larger.
+// The number of the triangle that was hit, among the scene's triangles (given). A hit stores it in
+// `light`, the member for the number of a sphere that is a light, as a value less than -1, which
+// `light` never has in a sphere's hit. A member of its own would make every hit of a sphere larger.
+// A triangle that shines is found by this number, too.
 constexpr int kept_as_light(int triangle) {
     return -2 - triangle;
 }

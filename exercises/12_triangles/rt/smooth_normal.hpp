@@ -5,6 +5,7 @@
 #include <rt/length.hpp>
 #include <rt/reflect.hpp>
 #include <rt/todo.hpp>
+#include <rt/triangle.hpp>
 
 namespace rt {
 
@@ -27,6 +28,18 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
 // 2017.
 inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     return rt::todo("12.3", smooth, flat, incoming);
+}
+
+// Exercise 12.3. The vector from a point of the triangle, with the weights u and v of b and c, to
+// where light leaves that runs over the triangle's horizon. If the normals of the three corners are
+// the triangle's own, it is the zero vector.
+// Star: at each corner, the plane across the corner's normal touches the curved surface. The result
+// is the mean of the ways from the point straight up to these planes, with the weights of the
+// corners; to a plane that is not above the point, there is no way. The normals have length 1 and
+// are all on the side that the light comes from.
+// Source: Hanika, "Hacking the shadow terminator", Ray Tracing Gems II, chapter 4, 2021.
+inline Vec3 lift(const Triangle& triangle, const std::array<Vec3, 3>& normals, Real u, Real v) {
+    return rt::todo("12.3", triangle, normals, u, v);
 }
 
 // Exercise 12.3. Corrects the direction of scattered light, which a material has chosen with the

@@ -4,6 +4,7 @@
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
 #include <rt/reflect.hpp>
+#include <rt/triangle.hpp>
 
 namespace rt {
 
@@ -32,6 +33,25 @@ inline Vec3 bent_normal(Vec3 smooth, Vec3 flat, Vec3 incoming) {
     if (sunk == Vec3{}) return flat;
     const Vec3 bent = normalize(sunk) - incoming;  // halfway between sunk and the way back
     return dot(bent, up) > 0 ? side * normalize(bent) : flat;
+}
+
+// The vector from a point of the triangle, with the weights u and v of b and c, to where light
+// leaves that runs over the triangle's horizon. At each corner, the plane across the corner's
+// normal touches the curved surface. The result is the mean of the ways from the point straight up
+// to these planes, with the weights of the corners; to a plane that is not above the point, there
+// is no way. The normals have length 1 and are all on the side that the light comes from. Source:
+// Hanika, "Hacking the shadow terminator", Ray Tracing Gems II, chapter 4, 2021.
+inline Vec3 lift(const Triangle& triangle, const std::array<Vec3, 3>& normals, Real u, Real v) {
+    const Vec3 ab = triangle.b - triangle.a, ac = triangle.c - triangle.a;
+    const Vec3 from_a = u * ab + v * ac;
+    const std::array<Vec3, 3> from{from_a, from_a - ab, from_a - ac};
+    const std::array<Real, 3> weights{1 - u - v, u, v};
+    Vec3 sum;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Real height = dot(from[k], normals[k]);
+        if (height < 0) sum -= weights[k] * height * normals[k];
+    }
+    return sum;
 }
 
 // Corrects the direction of scattered light, which a material has chosen with the smooth normal:

@@ -1,6 +1,7 @@
 #include <rt/leave_surface.hpp>
 #include <rt/mesh_materials.hpp>
 #include <rt/triangle_point.hpp>
+#include <rt/wide_builder.hpp>
 
 #include "../shapes.hpp"
 
@@ -12,19 +13,21 @@ namespace {
 
 // One triangle whose corners have normals that lean far, and a hit of it from above or from below.
 struct Leaning {
-    rt::Mesh mesh;
+    rt::SceneMeshes meshes;
     Hit hit;
     Vec3 incoming;
 };
 Leaning any_leaning(rt::Rng& rng) {
     Leaning made;
+    rt::Mesh mesh;
     const Triangle shape{{-1, 0, -1}, {0, 0, 1}, {1, 0, -1}};
-    made.mesh.points = {shape.a, shape.b, shape.c};
+    mesh.points = {shape.a, shape.b, shape.c};
     for (int i = 0; i < 3; ++i) {
         const Vec3 sum = Vec3{0, 1, 0} + real(0.85) * any_direction(rng);
-        made.mesh.normals.push_back(sum / std::sqrt(rt::dot(sum, sum)));
+        mesh.normals.push_back(sum / std::sqrt(rt::dot(sum, sum)));
     }
-    made.mesh.triangles = {{Corner{0, 0, -1}, {1, 1, -1}, {2, 2, -1}}};
+    mesh.triangles = {{Corner{0, 0, -1}, {1, 1, -1}, {2, 2, -1}}};
+    made.meshes.add(mesh, {}, 0);
     for (;;) {
         made.incoming = any_direction(rng);
         if (std::abs(made.incoming.y) < real(0.01)) continue;
@@ -48,14 +51,14 @@ TEST_CASE("light that is reflected stays on its side of a mesh and glass sends l
              std::vector<std::variant<rt::Lambertian, rt::Mirror, rt::Metal, rt::Dielectric>>{
                  rt::Lambertian{{1, 1, 1}}, rt::Mirror{{1, 1, 1}},
                  rt::Metal{{1, 1, 1}, real(0.5)}}) {
-            const rt::MeshMaterials<Materials> set{{{material}}, &at.mesh};
+            const rt::MeshMaterials<Materials> set{{{material}}, &at.meshes};
             const auto bounce = set(at.incoming, at.hit, rng);
             REQUIRE(bounce);
             CHECK(bounce->attenuation == rt::Color{1, 1, 1});
             REQUIRE(rt::dot(bounce->direction, rt::facing_normal(at.hit)) > 0);
             REQUIRE(std::abs(rt::dot(bounce->direction, bounce->direction) - 1) < real(1e-4));
         }
-        const rt::MeshMaterials<Materials> glass{{{rt::Dielectric{real(1.5)}}}, &at.mesh};
+        const rt::MeshMaterials<Materials> glass{{{rt::Dielectric{real(1.5)}}}, &at.meshes};
         const auto bounce = glass(at.incoming, at.hit, rng);
         REQUIRE(bounce);
         REQUIRE(rt::dot(bounce->direction, at.hit.normal) != 0);
@@ -65,9 +68,12 @@ TEST_CASE("light that is reflected stays on its side of a mesh and glass sends l
 TEST_CASE("the density of a matte mesh is that of its directions") {
     rt::Rng rng{12, 31};
     using Materials = rt::MaterialList<rt::Lambertian>;
-    for (int round = 0; round < 10; ++round) {
+    for (int round = 0; round < 20; ++round) {
         const Leaning at = any_leaning(rng);
-        const rt::MeshMaterials<Materials> set{{{rt::Lambertian{{1, 1, 1}}}}, &at.mesh};
+        // Light may run over the horizon, or it may not.
+        const rt::MeshWorld world{std::make_shared<rt::SceneMeshes>(at.meshes)};
+        const rt::MeshMaterials<Materials> set{
+            {{rt::Lambertian{{1, 1, 1}}}}, &at.meshes, round % 2 == 0 ? nullptr : &world};
         // A quantity by directions of the material, and by even directions weighted by the density.
         Mean drawn, weighted, whole;
         const auto quantity = [](Vec3 d) {
@@ -85,4 +91,22 @@ TEST_CASE("the density of a matte mesh is that of its directions") {
         CHECK(std::abs(drawn.mean() - weighted.mean()) <
               5 * (drawn.standard_error() + weighted.standard_error()));
     }
+}
+
+TEST_CASE("lamps are sampled on rough metal beside a mesh, too") {
+    const Leaning at = [] {
+        rt::Rng rng{12, 31};
+        return any_leaning(rng);
+    }();
+    using Materials = rt::MaterialSet<rt::Lambertian, rt::Metal>;
+    const Materials materials{{rt::Metal{{1, 1, 1}, real(0.5)}}};
+    const rt::MeshMaterials<Materials> set{materials, &at.meshes};
+    Hit sphere = at.hit;
+    sphere.light = 0;  // no number of a triangle
+    const Vec3 mirrored = rt::reflect(at.incoming, facing_normal(sphere));
+    REQUIRE(!rt::is_triangle(sphere));
+    CHECK(scatter_density(set, at.incoming, sphere, mirrored) > 0);
+    CHECK(scatter_density(set, at.incoming, sphere, mirrored) ==
+          scatter_density(materials, at.incoming, sphere, mirrored));
+    CHECK(scatter_density(set, at.incoming, at.hit, mirrored) == 0);
 }

@@ -68,6 +68,21 @@ TEST_CASE("the wide tree of triangles finds what a list finds to the last bit") 
     }
 }
 
+TEST_CASE("several threads build the tree that one thread builds") {
+    const auto all = rt::triangles_of(rt::make_teapot(40), 0, 0);
+    REQUIRE(all.size() > 80'000);
+    const rt::TriangleTree one = rt::make_wide_tree(all);
+    for (const int threads : {2, 3, 16}) {
+        const rt::TriangleTree more = rt::make_wide_tree(all, threads);
+        CHECK(more.places == one.places);
+        REQUIRE(more.nodes.size() == one.nodes.size());
+        for (std::size_t i = 0; i < one.nodes.size(); ++i) {
+            REQUIRE(more.nodes[i].planes == one.nodes[i].planes);
+            REQUIRE(more.nodes[i].child == one.nodes[i].child);
+        }
+    }
+}
+
 TEST_CASE("the teapot's triangles have areas and normals and its points are shared") {
     const rt::Mesh teapot = rt::make_teapot(6);
     CHECK(teapot.triangles.size() > 2000);
@@ -93,21 +108,4 @@ TEST_CASE("the teapot's triangles have areas and normals and its points are shar
         }
     }
     CHECK(outward > 300);
-}
-
-TEST_CASE("a placed mesh keeps its numbers apart from the others'") {
-    rt::Mesh one;
-    one.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-    one.normals = {{0, 0, 1}};
-    one.triangles = {{rt::Corner{0, 0, -1}, {1, 0, -1}, {2, -1, -1}}};
-    rt::SceneMeshes all;
-    all.add(one, {}, 3);
-    all.add(one, rt::multiply(rt::translation({5, 0, 0}), rt::scaling({2, 1, 4})), 7);
-    REQUIRE(all.triangles.size() == 2);
-    CHECK(all.triangles[1].material == 7);
-    CHECK(all.triangles[1].number == 1);
-    CHECK(text(all.triangles[1].shape) == text(Triangle{{5, 0, 0}, {7, 0, 0}, {5, 1, 0}}));
-    CHECK(all.mesh.triangles[1][1] == rt::Corner{4, 1, -1});
-    CHECK(all.mesh.triangles[1][2] == rt::Corner{5, -1, -1});
-    CHECK(all.mesh.normals[1] == Vec3{0, 0, 1});
 }

@@ -1,4 +1,5 @@
-// triangle_peer [ROUNDS [TRIANGLES]]: the sea of chapter 12 in the tree of chapter 07 and in
+// triangle_peer [ROUNDS [TRIANGLES [MESH...]]]: the sea of chapter 12, a knot with a rough skin,
+// triangles strewn about (soup) and thin strands on a ball (hair), in the tree of chapter 07 and in
 // Embree's, both in float and in one thread: searches of the same single rays, the build, and the
 // memory. Run by hand. Embree's scene is robust; its build quality is medium, its default, as this
 // asks for.
@@ -8,9 +9,11 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <numbers>
 #include <rt/make_camera.hpp>
 #include <rt/mesh_world.hpp>
 #include <rt/render_pixel.hpp>
+#include <rt/uniform_direction.hpp>
 #include <study/median.hpp>
 #include <study/timing.hpp>
 
@@ -87,16 +90,118 @@ void print(const char* what, const std::vector<study::Work>& two, int rounds, do
     std::fflush(stdout);
 }
 
-}  // namespace
+// A number from 0 to 1 for each pair of whole numbers.
+float lot(int i, int j) {
+    Rng random{static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(j)};
+    return static_cast<float>(random()) * 0x1p-32f;
+}
 
-int main(int argc, char** argv) {
-    const int rounds = argc > 1 ? std::atoi(argv[1]) : 9;
-    const auto sea = triangles::make_sea(argc > 2 ? std::atoi(argv[2]) : 1'000'000);
+Mesh sea_of(int count) {
+    const auto sea = triangles::make_sea(count);
     Mesh mesh = sea.water;
     mesh.triangles.insert(mesh.triangles.end(), sea.foam.triangles.begin(),
                           sea.foam.triangles.end());
+    return mesh;
+}
+
+// A tube around a trefoil knot; each point is pushed in or out at random.
+Mesh knot_of(int count) {
+    const int around = std::max(8, static_cast<int>(std::sqrt(count / 2 / 16.0)));
+    const int along = count / 2 / around;
+    const auto curve = [](double t) {
+        return Vec3{static_cast<Real>((2 + std::cos(3 * t)) * std::cos(2 * t)),
+                    static_cast<Real>((2 + std::cos(3 * t)) * std::sin(2 * t)),
+                    static_cast<Real>(std::sin(3 * t))};
+    };
+    Mesh mesh;
+    for (int i = 0; i < along; ++i) {
+        const double t = 2 * std::numbers::pi * i / along;
+        const Vec3 at = curve(t), ahead = normalize(curve(t + 1e-3) - curve(t - 1e-3));
+        const Vec3 side = normalize(cross(ahead, {0, 0, 1})), up = cross(side, ahead);
+        for (int j = 0; j < around; ++j) {
+            const double turn = 2 * std::numbers::pi * j / around;
+            const Real radius = Real(0.4) + Real(0.04) * lot(i, j);
+            mesh.points.push_back(at + radius * static_cast<Real>(std::cos(turn)) * side +
+                                  radius * static_cast<Real>(std::sin(turn)) * up);
+        }
+    }
+    const auto corner = [&](int i, int j) { return Corner{(i % along) * around + j % around}; };
+    for (int i = 0; i < along; ++i)
+        for (int j = 0; j < around; ++j) {
+            mesh.triangles.push_back({corner(i, j), corner(i + 1, j), corner(i, j + 1)});
+            mesh.triangles.push_back({corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)});
+        }
+    return mesh;
+}
+
+Mesh soup_of(int count) {
+    const Real size = 2 / std::cbrt(static_cast<Real>(count));
+    Mesh mesh;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 at{lot(i, 0), lot(i, 1), lot(i, 2)};
+        for (int k = 1; k < 4; ++k)
+            mesh.points.push_back(at +
+                                  size * Vec3{lot(i, 3 * k), lot(i, 3 * k + 1), lot(i, 3 * k + 2)});
+        mesh.triangles.push_back({Corner{3 * i}, {3 * i + 1}, {3 * i + 2}});
+    }
+    return mesh;
+}
+
+// Strands of 20 pieces, each of two long triangles, that stand on a ball and bend down.
+Mesh hair_of(int count) {
+    constexpr int pieces = 20;
+    Mesh mesh;
+    for (int strand = 0; strand < count / (2 * pieces); ++strand) {
+        const Vec3 root = uniform_direction({lot(strand, 0), lot(strand, 1)});
+        const Vec3 side = normalize(cross(root, {lot(strand, 2), lot(strand, 3), 1}));
+        for (int k = 0; k <= pieces; ++k) {
+            const Real t = static_cast<Real>(k) / pieces;
+            const Vec3 at = (1 + t) * root + t * t * Vec3{0, -1, 0} + Real(0.1) * t * side;
+            mesh.points.push_back(at);
+            mesh.points.push_back(at + Real(0.002) * side);
+        }
+        for (int k = 0; k < pieces; ++k) {
+            const int first = 2 * ((pieces + 1) * strand + k);
+            mesh.triangles.push_back({Corner{first}, {first + 1}, {first + 2}});
+            mesh.triangles.push_back({Corner{first + 1}, {first + 3}, {first + 2}});
+        }
+    }
+    return mesh;
+}
+
+// Rays from a ball around the mesh to points of it.
+std::vector<Ray> rays_from_outside(const Mesh& mesh) {
+    Box box;
+    for (const Vec3& point : mesh.points) box = join(box, {point, point});
+    Rng random{12, 9};
+    std::vector<Ray> rays;
+    for (int i = 0; i < 90'000; ++i) {
+        const Vec3 from =
+            box.center() + length(box.size()) * uniform_direction(random_place(random));
+        const auto& [a, b, c] = mesh.triangles[random() % mesh.triangles.size()];
+        const auto point = [&](const Corner& corner) {
+            return mesh.points[static_cast<std::size_t>(corner.point)];
+        };
+        const Vec3 to = Real(0.3) * point(a) + Real(0.25) * point(b) + Real(0.45) * point(c);
+        rays.push_back({from, to - from});
+    }
+    return rays;
+}
+
+std::vector<Ray> rays_of_picture() {
+    const Camera camera = make_camera(triangles::scene_view(), 400, 225);
+    Rng random{12, 9};
+    std::vector<Ray> rays;
+    for (int y = 0; y < 225; ++y)
+        for (int x = 0; x < 400; ++x)
+            rays.push_back(make_ray(camera, x, y, random_place(random), random));
+    return rays;
+}
+
+void compare(const Mesh& mesh, const std::vector<Ray>& seen, int rounds) {
     const auto all = triangles_of(mesh, 0, 0);
     const auto count = static_cast<double>(all.size());
+    embree_bytes = 0;
     const TriangleTree tree = make_wide_tree(all);
     const EmbreeTriangles embree{mesh};
     const auto ours = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +
@@ -107,19 +212,14 @@ int main(int argc, char** argv) {
         "the mesh\n",
         count, ours / count, static_cast<double>(embree_bytes.load()) / count);
 
-    // The rays of the picture, and one bounce of each.
-    const Camera camera = make_camera(triangles::scene_view(), 400, 225);
-    std::vector<Ray> seen, bounced;
-    Rng random{12, 9};
-    for (int y = 0; y < 225; ++y)
-        for (int x = 0; x < 400; ++x) {
-            seen.push_back(make_ray(camera, x, y, random_place(random), random));
-            if (const auto hit = tree.hit(seen.back(), {})) {
-                const Vec3 to = cosine_direction(facing_normal(*hit), random_place(random));
-                bounced.push_back({leave_surface(*hit, to), to});
-            }
+    std::vector<Ray> bounced;
+    Rng random{12, 10};
+    for (const Ray& ray : seen)
+        if (const auto hit = tree.hit(ray, {})) {
+            const Vec3 to = cosine_direction(facing_normal(*hit), random_place(random));
+            bounced.push_back({leave_surface(*hit, to), to});
         }
-    for (const auto* rays : {&seen, &bounced}) {
+    for (const auto* rays : {&seen, const_cast<const std::vector<Ray>*>(&bounced)}) {
         int differ = 0;
         for (const Ray& ray : *rays) {
             const auto theirs = embree.search(ray);
@@ -128,7 +228,7 @@ int main(int argc, char** argv) {
                                    ? -1
                                    : static_cast<int>(theirs.hit.primID));
         }
-        print(rays == &seen ? "camera rays" : "bounced rays",
+        print(rays == &seen ? "first rays" : "bounced rays",
               {[&] {
                    for (const Ray& ray : *rays) study::keep(tree.search(ray, {}));
                },
@@ -141,4 +241,23 @@ int main(int argc, char** argv) {
     print("build",
           {[&] { study::keep(make_wide_tree(all)); }, [&] { study::keep(EmbreeTriangles{mesh}); }},
           std::min(rounds, 5), 1e6, "ms");
+    print("build in 2",
+          {[&] { study::keep(make_wide_tree(all, 2)); }, [&] { study::keep(make_wide_tree(all)); }},
+          std::min(rounds, 5), 1e6, "ms");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int rounds = argc > 1 ? std::atoi(argv[1]) : 9;
+    const int count = argc > 2 ? std::atoi(argv[2]) : 1'000'000;
+    const std::vector<std::string> wanted(argv + std::min(argc, 3), argv + argc);
+    for (const auto& [name, make] : std::vector<std::pair<std::string, Mesh (*)(int)>>{
+             {"sea", sea_of}, {"knot", knot_of}, {"soup", soup_of}, {"hair", hair_of}}) {
+        if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), name) == wanted.end())
+            continue;
+        std::printf("%s: ", name.c_str());
+        const Mesh mesh = make(count);
+        compare(mesh, name == "sea" ? rays_of_picture() : rays_from_outside(mesh), rounds);
+    }
 }

@@ -3,6 +3,7 @@
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
 #include <rt/reflect.hpp>
+#include <rt/triangle.hpp>
 
 namespace rt {
 
@@ -12,6 +13,10 @@ inline Vec3 smooth_normal(const std::array<Vec3, 3>& normals, Real u, Real v, Ve
 
 inline Vec3 bent_normal(Vec3 smooth, Vec3, Vec3) {
     return smooth;
+}
+
+inline Vec3 lift(const Triangle&, const std::array<Vec3, 3>&, Real, Real) {
+    return {};
 }
 
 inline Vec3 keep_side(Vec3 direction, Vec3 smooth, Vec3 flat) {
