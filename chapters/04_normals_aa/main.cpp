@@ -36,6 +36,15 @@ struct Layout {
     }
 };
 
+// Writes a panel's name on a dark plate at the place (x, 0), if the picture is large enough to read
+// it.
+void write_name(app::Figure& panel, Real x, const char* name, int picture_height) {
+    const Real size = static_cast<Real>(picture_height) / 45;
+    if (size < 8) return;
+    panel.box({x, 0, app::width_of(name, size) + size, 2 * size}, paper);
+    panel.words({x + size / 2, size / 2}, name, {size, line_color});
+}
+
 // What a single ray sees, without any bounce.
 template <World AnyWorld>
 struct SingleRays {
@@ -119,6 +128,13 @@ app::Picture render_with(const AnyEnding& ending, const app::Settings& settings,
             return render_pixel(large, world, scene.materials, scene.sky, ending, quality, x, y);
         },
         &progress);
+
+    const Real middle = static_cast<Real>(block * (blocks.width / 2) + 1);
+    write_name(normals, 0, "normals", settings.height);
+    write_name(lit, 0, "one distant light", settings.height);
+    write_name(samples, 0, "1 sample", settings.height);
+    write_name(samples, middle, "many", settings.height);
+    write_name(paths, 0, "paths of light", settings.height);
     return {std::move(image), rays};
 }
 

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <rt/canvas.hpp>
 #include <rt/for_each_pixel.hpp>
+#include <rt/panel.hpp>
 #include <rt/show_paths.hpp>
 #include <string>
 #include <thread>
@@ -22,12 +23,14 @@ using namespace threads;
 
 constexpr int tile_size = 16, shown_workers = 6, most_workers = 16;
 
+std::vector<Curve> no_speed_ups() {
+    return {{{}, "Slices", slices_color, {0, 11}}, {{}, "Tiles", tiles_color, {-30, -3}}};
+}
+
 // The schedules if time is counted in rays: they are the same on every machine.
 Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
     Schedules all{slices_by_rays(rays, grid, shown_workers),
-                  tiles_by_rays(rays, grid, shown_workers),
-                  {{{}, slices_color}, {{}, tiles_color}},
-                  "rays"};
+                  tiles_by_rays(rays, grid, shown_workers), no_speed_ups(), "rays"};
     const double alone = slices_by_rays(rays, grid, 1).end();
     for (int workers = 1; workers <= most_workers; ++workers) {
         all.curves[0].speed_up.push_back(alone / slices_by_rays(rays, grid, workers).end());
@@ -39,9 +42,7 @@ Schedules count_rays(const RayCounts& rays, const TileGrid& grid) {
 // The schedules measured by this machine's clock, with this number of workers.
 Schedules take_time(const SceneShader& shader, const TileGrid& grid, int workers) {
     Schedules all{by_seconds(render_slices, grid, workers, shader),
-                  by_seconds(render_tiles, grid, workers, shader),
-                  {{{}, slices_color}, {{}, tiles_color}},
-                  "seconds"};
+                  by_seconds(render_tiles, grid, workers, shader), no_speed_ups(), "seconds"};
     for (const SpeedUp& row : speed_ups(shader.scene, workers)) {
         if (row.strategy != "slices" && row.strategy != "tiles") continue;
         auto& speed_up = all.curves[row.strategy == "tiles"].speed_up;
@@ -79,6 +80,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     std::vector<std::uint32_t> rays(picture.pixels().size());
     std::atomic<std::uint64_t> all_rays = 0;
     progress.start(tile_count(grid));
+    app::begin_panel(view);
     render_tiles(grid, settings.threads, [&](const Tile& tile, int) {
         std::uint64_t tile_rays = 0;
         for_each_pixel(tile, [&](int x, int y) {

@@ -31,7 +31,9 @@ constexpr Box scene_box{20, 20, 640, 360}, slices_map{680, 40, 260, 146},
 // What the figure shows beside the scene.
 struct Curve {
     std::vector<double> speed_up;  // with 1, 2, 3, ... workers; 0 where it was not measured
+    const char* name;
     Color color;
+    Vec2 label;  // from the curve's end to the top right corner of its name
 };
 struct Schedules {
     Schedule slices, tiles;
@@ -117,6 +119,8 @@ inline void draw_speed_up(Figure& figure, const Box& box, const std::vector<Curv
             figure.dot(here, Real(2.4), curve.color);
             last = here;
         }
+        figure.words_before({last.x + curve.label.x, last.y + curve.label.y}, curve.name,
+                            {Real(7.2), curve.color});
     }
 }
 
@@ -134,6 +138,10 @@ inline void draw_figure(Figure& figure, const Image& scene, const Schedules& sho
         draw_bars(figure, bars, *schedule, longest);
         figure.words({20, bars.center().y - Real(4.5)}, name, {9, color});
     }
+    const Vec2 now{slices_bars.left, 532}, later{slices_bars.right(), now.y};
+    figure.line(now, later, dim);
+    for (const Real side : {-3, 3}) figure.line({later.x - 5, later.y + side}, later, dim);
+    figure.words({20, now.y - 4}, "Time", {8, dim});
     draw_speed_up(figure, plot, shown.curves);
     figure.words({plot.left + 8, plot.top - 4}, "Speed-up", {Real(7.2), ink});
     figure.words({plot.left + 8, plot.top + 8}, "By " + shown.clock, {Real(6.3), dim});

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <rt/area_split.hpp>
 #include <rt/dielectric.hpp>
 #include <rt/lambertian.hpp>
 #include <rt/make_camera.hpp>
@@ -12,7 +13,6 @@
 #include <rt/render_pixel.hpp>
 #include <rt/shape_tree.hpp>
 #include <rt/sky.hpp>
-#include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/classic.hpp>
 #include <study/cover.hpp>
@@ -138,7 +138,7 @@ inline void study_cover(study::Report& report) {
     const std::vector<SceneSphere> spheres = spheres_of(cover);
     const CoverMaterials materials = materials_of(cover);
     const auto classic = study::classic::make_world(cover);
-    const SphereTree by_area = make_tree(spheres, split_by_area);
+    const SphereTree by_area = make_tree(spheres, AreaSplit{});
     const WideTreeOf<SceneSphere, Real> wide = make_wide_tree<Real>(spheres);
     const WideTree best = make_wide_tree<float>(spheres);
 

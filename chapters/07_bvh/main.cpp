@@ -2,12 +2,12 @@
 // pixel takes with the linear list, with the sorted tree and with the tree by surface area.
 
 #include <app/run.hpp>
+#include <rt/area_split.hpp>
 #include <rt/canvas.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/fill.hpp>
 #include <rt/render_pixel.hpp>
 #include <rt/show_paths.hpp>
-#include <rt/split_by_area.hpp>
 
 #include "scene.hpp"
 #include "tree_figure.hpp"
@@ -16,11 +16,30 @@ namespace {
 
 using namespace bvh;
 
+// The boxes around all spheres, filled with light: the longer a ray is in them, the brighter.
+app::Picture show_boxes(const app::Settings& settings, app::Progress& progress,
+                        const Scene& scene) {
+    const std::vector<Box> boxes = bounds_of(scene.spheres);
+    const Camera camera = make_camera(*settings.view, settings.width, settings.height);
+    return {app::draw<Canvas<Color>>(settings, progress, [&](int x, int y) {
+        const SlabRay ray = slab_ray(ray_through(camera, x, y));
+        Color light = paper;
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const Interval part = hit_box(boxes[i], ray, Interval{0, infinity});
+            const auto material = static_cast<std::size_t>(scene.spheres[i].material);
+            if (part.min <= part.max)
+                light += 4 * (part.max - part.min) * scene.materials.materials[material].albedo;
+        }
+        return light;
+    })};
+}
+
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The seed that was asked for changes only the noise: the scene stays the same.
     const Scene scene = make_scene(10'000, 1);
+    if (settings.show == "boxes") return show_boxes(settings, progress, scene);
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
-    const SphereTree by_area = make_tree(scene.spheres, split_by_area);
+    const SphereTree by_area = make_tree(scene.spheres, AreaSplit{});
     if (!settings.show.empty())
         return show_paths(settings, progress, by_area, scene.materials, StudioSky{}, SkyEnding{});
 
@@ -45,7 +64,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Color colors[] = {from_hex(0x8ecae6), from_hex(0xffd166), from_hex(0xef8354),
                             from_hex(0xc77dff)};
     for (std::size_t i = 0; i < shown.size(); ++i) {
-        draw_level(figure, levels[i], scene, by_area, shown[i], colors[i],
+        draw_level(figure, levels[i], scene, sorted, shown[i], colors[i],
                    Real(0.9) / static_cast<Real>(1 + i));
         progress.step();
     }
@@ -62,6 +81,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     // The list tests every sphere for every ray, so this count needs no ray.
     const auto all = static_cast<Real>(scene.spheres.size());
     draw_map(0, "Linear list", [&](const Ray&) { return all; });
+    write_in_map(figure, maps[0], "10,000 tests", "in every pixel");
     draw_map(1, "Sorted tree", [&](const Ray& ray) { return tests_in(sorted, ray); });
     draw_map(2, "Tree by area", [&](const Ray& ray) { return tests_in(by_area, ray); });
     draw_legend(figure);
@@ -71,6 +91,8 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::vector<std::string> shows = shown_of_paths();
+    shows.push_back("boxes");
     app::Settings defaults;
     defaults.width = 980;
     defaults.height = 700;
@@ -84,5 +106,5 @@ int main(int argc, char** argv) {
                      .defaults = defaults,
                      .render = render,
                      .study = app::program_study,
-                     .shows = rt::shown_of_paths()});
+                     .shows = shows});
 }

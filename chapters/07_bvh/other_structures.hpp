@@ -6,6 +6,7 @@
 #include <rt/flat_tree.hpp>
 #include <rt/portable.hpp>
 #include <rt/primary_ray.hpp>
+#include <rt/uniform_direction.hpp>
 #include <rt/wide_leaf.hpp>
 #include <study/timing.hpp>
 
@@ -81,16 +82,20 @@ inline int split_binned(std::span<int> order, std::span<const Box> boxes) {
     return order.size() <= 2 ? 0 : binned_split(order, boxes);
 }
 
-// The average number of boxes and spheres that are tested for a ray of the picture.
-inline double tests_per_ray(const SphereTree& tree) {
+// The average number of boxes and of spheres that are tested for a ray of the picture.
+struct Tests {
+    double boxes = 0, spheres = 0;
+};
+inline Tests tests_per_ray(const SphereTree& tree) {
     const Camera camera = make_camera(scene_view(), 60, 42);
-    double sum = 0;
+    Tests sum;
     for (int y = 0; y < 42; ++y)
         for (int x = 0; x < 60; ++x) {
             const Search s = tree.search(primary_ray(camera, x, y, {Real(0.5), Real(0.5)}), {});
-            sum += s.box_tests + s.shape_tests;
+            sum.boxes += s.box_tests / (60.0 * 42);
+            sum.spheres += s.shape_tests / (60.0 * 42);
         }
-    return sum / (60 * 42);
+    return sum;
 }
 
 // Spheres spread evenly over a cube. Whatever their number, they fill the same share of the cube.

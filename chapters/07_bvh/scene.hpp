@@ -18,16 +18,16 @@ struct Scene {
     MaterialList<Lambertian> materials;
 };
 
-// A sky that is blue above and warm on one side, so that the shading of each sphere shows its
-// shape.
+// A sky that is nearly black below, where the camera looks, blue above, and warm on one side, so
+// that the shading of each sphere shows its shape.
 struct StudioSky {
-    Color below = from_hex(0x2b2f45), above = from_hex(0xbcd3f2), lamp{4, Real(3.2), Real(2.3)};
+    Color below = from_hex(0x0c0d16), above = from_hex(0xbcd3f2), lamp{4, Real(3.2), Real(2.3)};
     Vec3 to_lamp = normalize({Real(-0.6), Real(0.75), Real(0.35)});
 
     Color operator()(Vec3 direction) const {
         const Real cosine = std::max(Real(0), dot(direction, to_lamp));
         const Real squared = cosine * cosine, fourth = squared * squared;
-        return mix(below, above, (direction.y + 1) / 2) + fourth * fourth * lamp;
+        return mix(below, above, std::max(Real(0), direction.y)) + fourth * fourth * lamp;
     }
 };
 

@@ -3,11 +3,11 @@
 
 #include <app/run.hpp>
 #include <deque>
+#include <rt/area_split.hpp>
 #include <rt/counting_world.hpp>
 #include <rt/far_view.hpp>
 #include <rt/flat_tree.hpp>
 #include <rt/render_pixel.hpp>
-#include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/pixel_error.hpp>
 #include <study/report.hpp>
@@ -55,7 +55,7 @@ void study_searches(study::Report& report, const Scene& scene) {
     const SphereList list{scene.spheres};
     const PackedList packed{scene.spheres};
     const SphereTree sorted = make_tree(scene.spheres, split_in_half);
-    const SphereTree by_area = make_tree(scene.spheres, split_by_area);
+    const SphereTree by_area = make_tree(scene.spheres, AreaSplit{});
     const FlatTree flat = make_flat(by_area);
     const WideTreeOf<SceneSphere, Real> wide = make_wide_tree<Real>(scene.spheres);
     const WideTree wide_float = make_wide_tree<float>(scene.spheres);
@@ -82,36 +82,55 @@ void study_searches(study::Report& report, const Scene& scene) {
                     "times as fast as the list", ns[i] / rays[i], "time per ray / ns"});
 }
 
-// How fast a tree is to search, depending on how long it took to build and on the size of its
-// leaves.
+// How fast a tree is to search, depending on how long it took to build, on the size of its leaves
+// and on what split_by_area takes a box test to cost.
 void study_splits(study::Report& report, const Scene& scene) {
     const Shot shot{scene, 120, 85};
     struct Trial {
-        std::string variant;
-        int leaf;  // 0 for the splits that are compared by their build time
+        std::string study, variant;
+        int x;
         SphereTree tree;
     };
     std::deque<Trial> trials;
     std::vector<study::Work> builds, renders;
-    const auto add = [&](const char* variant, int leaf, auto split) {
-        Trial& trial = trials.emplace_back(Trial{variant, leaf, {}});
+    const auto add = [&](const char* name, const char* variant, int x, auto split) {
+        Trial& trial = trials.emplace_back(Trial{name, variant, x, {}});
         builds.push_back([&trial, &scene, split] { trial.tree = make_tree(scene.spheres, split); });
         renders.push_back([&trial, &shot] { shot.render(trial.tree); });
     };
-    add("random axis", 0, SplitRandomAxis{});
-    add("sorted", 0, split_in_half);
-    add("area binned", 0, split_binned);
-    add("area full sweep", 0, split_by_area);
-    for (const int size : {1, 2, 4, 8, 16, 32}) add("sorted", size, SplitLeaf{size});
+    add("build", "random axis", 0, SplitRandomAxis{});
+    add("build", "sorted", 0, split_in_half);
+    add("build", "area binned", 0, split_binned);
+    add("build", "area full sweep", 0, AreaSplit{1});
+    for (const int size : {1, 2, 4, 8, 16, 32}) add("leaf-size", "sorted", size, SplitLeaf{size});
+    for (const int cost : {1, 2, 4, 8, 16})
+        add("boxes-cost", "", cost, AreaSplit{static_cast<Real>(cost)});
     const auto build = study::in_turns_ns(builds), render = study::in_turns_ns(renders);
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        const auto& [variant, leaf, tree] = trials[i];
-        const bool by_time = leaf == 0;
-        report.add({by_time ? "build" : "leaf-size", variant,
-                    by_time ? build[i] * 1e-6 : static_cast<double>(leaf),
-                    by_time ? "build time / ms" : "spheres in a leaf", tests_per_ray(tree),
-                    "tests per ray", render[i] / static_cast<double>(shot.render(tree)),
-                    "time per ray / ns"});
+        const auto& [name, variant, x, tree] = trials[i];
+        const Tests tests = tests_per_ray(tree);
+        const double ns = render[i] / static_cast<double>(shot.render(tree));
+        study::Row row{.study = name,
+                       .variant = variant,
+                       .x = static_cast<double>(x),
+                       .x_name = "spheres in a leaf",
+                       .error = tests.boxes + tests.spheres,
+                       .error_name = "tests per ray",
+                       .cost = ns,
+                       .cost_name = "time per ray / ns"};
+        if (name == "build") {
+            row.x = build[i] * 1e-6;
+            row.x_name = "build time / ms";
+        } else if (name == "boxes-cost") {
+            row.x_name = "cost of both boxes";
+            study::Row boxes = row, spheres = row;
+            boxes.variant = "boxes", boxes.error = tests.boxes, boxes.cost_name = "";
+            spheres.variant = "spheres", spheres.error = tests.spheres, spheres.cost_name = "";
+            report.add(boxes);
+            report.add(spheres);
+            row.variant = "time", row.error_name = "";
+        }
+        report.add(row);
     }
 }
 
@@ -129,7 +148,7 @@ void study_growth(study::Report& report) {
             [&] { in_bins = make_wide_tree<float>(cloud.spheres, binned_split); }};
         if (count <= 100'000)
             builds.push_back(
-                [&] { by_sweep = make_wide_tree<float>(cloud.spheres, split_by_area); });
+                [&] { by_sweep = make_wide_tree<float>(cloud.spheres, AreaSplit{1}); });
         const auto ns = study::in_turns_ns(builds);
         const auto build_row = [&](const char* name, const WideTree& tree, double time) {
             const double bytes = static_cast<double>(tree.nodes.size() * sizeof(tree.nodes[0]) +

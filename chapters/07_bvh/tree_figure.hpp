@@ -127,10 +127,18 @@ void draw_heat_map(const Figure& figure, const app::Box& where, const std::strin
     panel.words({letter_height / 2, letter_height / 2}, words, {letter_height, ink});
 }
 
+// Writes two lines in the middle of a bright map.
+inline void write_in_map(const Figure& figure, const app::Box& where, const char* above,
+                         const char* below) {
+    Figure panel = figure.part(where);
+    panel.words_around({where.width / 2, where.height / 2 - 11}, above, {14, paper});
+    panel.words_around({where.width / 2, where.height / 2 + 15}, below, {14, paper});
+}
+
 // Draws the scale of the heat maps, marked at the powers of ten.
 inline void draw_legend(const Figure& figure) {
     Figure panel = figure.part(legend);
-    panel.words({letter_height / 8, letter_height / 4}, "Tests a pixel", {letter_height, ink});
+    panel.words({letter_height / 8, letter_height / 4}, "Tests per pixel", {letter_height, ink});
     const app::Box bar{legend.left + 161, legend.top, 736, 11};
     Figure scale = figure.part(bar);
     scale.fill([&](int x, int) {

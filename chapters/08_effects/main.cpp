@@ -10,8 +10,8 @@
 #include <rt/false_colors.hpp>
 
 #include "open_scene.hpp"
+#include "pixel_renderer.hpp"
 #include "shown_scene.hpp"
-#include "tile_renderer.hpp"
 #include "words.hpp"
 
 namespace {
@@ -24,17 +24,16 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
 
     const auto& [width, height, samples, depth, seed] = scene.settings;
     const Effects needed = needed_effects(scene);
-    const effects::TileRenderer renderer =
+    const auto [choice, color] =
         effects::make_narrowest(needed, scene, width, height, {samples, depth, seed});
     if (settings.explain)
         settings.explain(
-            effects::explanation(effects::name_of(scene, settings.file), needed, renderer.choice));
+            effects::explanation(effects::name_of(scene, settings.file), needed, choice));
 
-    app::Picture picture =
-        draw_by_tiles({width, height, 16}, settings.threads, progress,
-                      [&](const Tile& tile, int /*worker*/, Image& image, std::uint64_t& rays) {
-                          return renderer.draw(tile, image, rays);
-                      });
+    app::Picture picture = draw_by_tiles(
+        {width, height, 16}, settings.threads, progress,
+        [draw = pixel_by_pixel(color)](const Tile& tile, int /*worker*/, Image& image,
+                                       std::uint64_t& rays) { return draw(tile, image, rays); });
     picture.words = [note = effects::note_on(scene)] { return note; };
     return picture;
 }

@@ -19,8 +19,8 @@
 #include <study/timing.hpp>
 #include <study/ulp.hpp>
 
+#include "pixel_renderer.hpp"
 #include "study_scene.hpp"
-#include "tile_renderer.hpp"
 
 namespace effects {
 namespace {
@@ -228,9 +228,9 @@ void study_cover(study::Report& report) {
         {[&] { study::keep(study::classic::mean_color(cover, *classic)); },
          [&] {
              const DrawTile draw =
-                 make_narrowest(effects_of(scene), scene, cover.width, cover.height,
-                                {cover.samples_per_pixel, cover.depth, 1})
-                     .draw;
+                 pixel_by_pixel(make_narrowest(effects_of(scene), scene, cover.width, cover.height,
+                                               {cover.samples_per_pixel, cover.depth, 1})
+                                    .color);
              Image image = Canvas<Color>{cover.width, cover.height};
              std::uint64_t rays = 0;
              for (int y = 0; y < cover.height; y += cover.row_step)

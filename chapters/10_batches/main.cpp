@@ -40,6 +40,7 @@ int main(int argc, char** argv) {
     defaults.depth = 16;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = 1;
+    defaults.exposure = 0;
     defaults.view = scene_view();
     return app::run(argc, argv,
                     {.name = "10_batches",

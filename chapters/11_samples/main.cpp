@@ -1,4 +1,5 @@
-// Chapter 11: one scene in four strips of equal cost, each of which shows one step of the chapter.
+// Chapter 11: the same part of a scene in four strips, each of which shows one step of the chapter.
+// All take the same number of samples.
 
 #include <app/figure.hpp>
 #include <app/run.hpp>
@@ -26,7 +27,7 @@ using namespace samples;
 constexpr Real stops = Real(3.2), white = 24;
 
 // Some columns of the picture.
-struct Strip {
+struct Columns {
     int left = 0, width = 0;
 };
 
@@ -36,27 +37,26 @@ struct Sampling {
     app::Progress& progress;
     std::atomic<std::uint64_t> rays = 0;
 
-    TileGrid grid(const Strip& strip) const { return {strip.width, settings.height, 16}; }
+    TileGrid grid(const Columns& columns) const { return {columns.width, settings.height, 16}; }
 };
 
-// The light of a strip, and the root mean square error, estimated from its samples.
+// The light in some columns, and the root mean square error, estimated from their samples.
 struct Drawn {
     Image light;
     Real error = infinity;
-    Halves<Image> half = {};  // if the strip is drawn in two halves
+    Halves<Image> half = {};  // if they are drawn in two halves
 };
 
-Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
-    if (strip.width == 0) return {};
+Drawn draw_jittered(Sampling& sampling, const Columns& columns) {
     const app::Settings& settings = sampling.settings;
-    Drawn drawn{Canvas<Color>{strip.width, settings.height}};
-    Canvas<Real> squares{strip.width, settings.height};  // of the pixels' errors
-    render_tiles(sampling.grid(strip), settings.threads, [&](const Tile& tile, int) {
+    Drawn drawn{Canvas<Color>{columns.width, settings.height}};
+    Canvas<Real> squares{columns.width, settings.height};  // of the pixels' errors
+    render_tiles(sampling.grid(columns), settings.threads, [&](const Tile& tile, int) {
         std::uint64_t rays = 0;
         for_each_pixel(tile, [&](int x, int y) {
             std::array<RunningVariance, 3> known;
             const WatchedSamples<JitteredSamples> watched{{*settings.seed, settings.spp}, known};
-            drawn.light.at(x, y) = sampling.renderer(watched, strip.left + x, y, rays);
+            drawn.light.at(x, y) = sampling.renderer(watched, columns.left + x, y, rays);
             for (const RunningVariance& channel : known) {
                 const Real error = standard_error(channel);
                 squares.at(x, y) += error * error / 3;
@@ -71,52 +71,47 @@ Drawn draw_jittered(Sampling& sampling, const Strip& strip) {
     return drawn;
 }
 
-// Draws a strip with Sobol's points, in two halves. The pilot takes `pilot` samples of each pixel
-// in each half; the remaining samples go to the tiles where they reduce the error most. `counts`
-// gets the number of samples in each pixel.
-Drawn draw_halves(Sampling& sampling, const Strip& strip, int pilot, Canvas<int>& counts) {
-    if (strip.width == 0) return {};
+// Draws some columns with Sobol's points, in two halves. The pilot takes `pilot` samples of each
+// pixel in each half; the remaining samples go to the tiles where they reduce the error most.
+// `counts` gets the number of samples in each pixel.
+Drawn draw_halves(Sampling& sampling, const Columns& columns, int pilot, Canvas<int>& counts) {
     const app::Settings& settings = sampling.settings;
     RefinementPlan plan;
-    plan.grid = sampling.grid(strip);
+    plan.grid = sampling.grid(columns);
     plan.threads = settings.threads;
     plan.seed = *settings.seed;
-    plan.make_worker = [&] { return sobol_passes(sampling.renderer, 1, strip.left); };
+    plan.make_worker = [&] { return sobol_passes(sampling.renderer, 1, columns.left); };
     Refinement refinement{plan};
     refinement.draw_pilot(pilot);
     refinement.refine_with(std::int64_t{tile_count(plan.grid)} * settings.spp);
-    for_each_pixel({0, 0, strip.width, settings.height},
+    for_each_pixel({0, 0, columns.width, settings.height},
                    [&](int x, int y) { counts.at(x, y) = refinement.passes_at(x, y); });
     sampling.rays += refinement.rays();
     for (int i = 0; i < tile_count(plan.grid); ++i) sampling.progress.step();
-    return {refinement.picture(Canvas<Color>{strip.width, settings.height}), refinement.error(),
+    return {refinement.picture(Canvas<Color>{columns.width, settings.height}), refinement.error(),
             refinement.halves()};
 }
 
-// Denoises the last strip, which is the right part of the picture with the halves `half`.
-Denoised denoise_strip(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
-                       const Halves<Image>& half, const Strip& strip) {
-    const int height = half.first.height(), skipped = half.first.width() - strip.width;
-    Halves<Image> part{Canvas<Color>{strip.width, height}, Canvas<Color>{strip.width, height}};
-    Canvas<Features> features{strip.width, height};
-    render_tiles(sampling.grid(strip), sampling.settings.threads, [&](const Tile& tile, int) {
+// Removes the noise of two halves of some columns.
+Denoised without_noise(const Sampling& sampling, const ReadyScene<scene_effects>& scene,
+                       const Halves<Image>& half, const Columns& columns) {
+    Canvas<Features> features{columns.width, half.first.height()};
+    render_tiles(sampling.grid(columns), sampling.settings.threads, [&](const Tile& tile, int) {
         for_each_pixel(tile, [&](int x, int y) {
-            part.first.at(x, y) = half.first.at(skipped + x, y);
-            part.second.at(x, y) = half.second.at(skipped + x, y);
             // The features take samples of their own: the filter must not follow the noise of the
             // halves.
             features.at(x, y) = features_at(scene, {mix_bits(*sampling.settings.seed), 4},
-                                            strip.left + x, y, rt::portable::exp2(-stops));
+                                            columns.left + x, y, rt::portable::exp2(-stops));
         });
     });
-    return denoise_halves(part, features);
+    return denoise_halves(half, features);
 }
 
-// Draws how many samples each pixel of a strip got: the more, the brighter.
-void draw_counts(app::Figure map, const Canvas<int>& counts, const Strip& strip, int mean) {
+// Draws how many samples each pixel got: the more, the brighter.
+void draw_counts(app::Figure map, const Canvas<int>& counts, int mean) {
     constexpr std::array<std::uint32_t, 4> colors{0x0b1026, 0x4b2e83, 0xd1495b, 0xffe08a};
     map.fill([&](int column, int row) {
-        const int x = column * strip.width / map.columns();
+        const int x = column * counts.width() / map.columns();
         const int y = row * counts.height() / map.rows();
         const Real ratio = static_cast<Real>(counts.at(x, y)) / static_cast<Real>(mean);
         const Real place =
@@ -152,33 +147,25 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
     const Renderer<scene_effects> renderer{description, settings.width, settings.height, quality};
     Sampling sampling{renderer, settings, progress};
 
-    std::array<Strip, 4> strips;
-    for (int i = 0; i < 4; ++i) {
-        const auto edge = [&](int k) {
-            return static_cast<int>(std::int64_t{settings.width} * k / 4);
-        };
-        strips[static_cast<std::size_t>(i)] = {edge(i), edge(i + 1) - edge(i)};
-    }
-    const Strip both{strips[2].left, strips[2].width + strips[3].width};
-
+    const auto edge = [&](int k) { return static_cast<int>(std::int64_t{settings.width} * k / 4); };
+    const Columns part{edge(2), settings.width - edge(3)};
     Image image = Canvas<Color>{settings.width, settings.height};
-    const auto put = [&](const Image& light, int left) {
-        for_each_pixel({0, 0, light.width(), light.height()}, [&](int x, int y) {
-            image.at(left + x, y) = tone_mapped(exposed(light.at(x, y), stops), white);
+    const auto put = [&](const Image& light, int strip) {
+        for_each_pixel({0, 0, edge(strip + 1) - edge(strip), settings.height}, [&](int x, int y) {
+            image.at(edge(strip) + x, y) = tone_mapped(exposed(light.at(x, y), stops), white);
         });
     };
-    progress.start(tile_count(sampling.grid(strips[0])) + tile_count(sampling.grid(strips[1])) +
-                   tile_count(sampling.grid(both)));
-    Canvas<int> counts{both.width, settings.height};
-    const Drawn jittered = draw_jittered(sampling, strips[0]);
-    const Drawn sobol = draw_halves(sampling, strips[1], std::max(1, settings.spp / 2), counts);
+    progress.start(3 * tile_count(sampling.grid(part)));
+    Canvas<int> counts{part.width, settings.height};
+    const Drawn jittered = draw_jittered(sampling, part);
+    const Drawn sobol = draw_halves(sampling, part, std::max(1, settings.spp / 2), counts);
     const Drawn worth =
-        draw_halves(sampling, both, settings.spp < 4 ? 1 : std::max(2, settings.spp / 4), counts);
-    put(jittered.light, strips[0].left);
-    put(sobol.light, strips[1].left);
-    put(worth.light, both.left);
-    const Denoised smooth = denoise_strip(sampling, scene, worth.half, strips[3]);
-    put(smooth.picture, strips[3].left);
+        draw_halves(sampling, part, settings.spp < 4 ? 1 : std::max(2, settings.spp / 4), counts);
+    const Denoised smooth = without_noise(sampling, scene, worth.half, part);
+    put(jittered.light, 0);
+    put(sobol.light, 1);
+    put(worth.light, 2);
+    put(smooth.picture, 3);
 
     app::Figure figure{image, 960, 540};
     const std::string number = std::to_string(settings.spp);
@@ -196,7 +183,7 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         figure.words_around({left + 120, 513}, lines[0], {10, ink});
         figure.words_around({left + 120, 530}, lines[1], {7, ink});
     }
-    draw_counts(figure.part({640, 8, 56, 126}), counts, strips[2], settings.spp);
+    draw_counts(figure.part({640, 8, 56, 126}), counts, settings.spp);
     figure.frame({640, 8, 56, 126}, ink);
     app::Picture picture{std::move(image), sampling.rays};
     picture.words = [words = comparison(jittered, worth, settings.spp)] { return words; };
@@ -212,12 +199,13 @@ int main(int argc, char** argv) {
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = 1;
     defaults.view = scene_view();
-    return app::run(argc, argv,
-                    {.name = "11_samples",
-                     .about = "one scene in four strips: jittered samples, Sobol's points, as "
-                              "many where they are worth it, and without noise",
-                     .defaults = defaults,
-                     .render = render,
-                     .study = app::program_study,
-                     .shows = shown_of_paths()});
+    return app::run(
+        argc, argv,
+        {.name = "11_samples",
+         .about = "a part of a scene in four strips: jittered samples, Sobol's points, as "
+                  "many where they are worth it, and without noise",
+         .defaults = defaults,
+         .render = render,
+         .study = app::program_study,
+         .shows = shown_of_paths()});
 }

@@ -3,10 +3,12 @@
 #include <rt/batch_renderer.hpp>
 #include <rt/mesh_scene.hpp>
 
+#include "lit_meshes.hpp"
+
 namespace full_renderer {
 
 inline bool can_be_batched(const rt::MeshedDescription& scene) {
-    return scene.meshes.empty() && rt::can_be_batched(scene);
+    return scene.meshes.empty() && !has_sky_or_rough(scene) && rt::can_be_batched(scene);
 }
 
 // Returns a function that makes workers, which draw tiles of a scene in batches. Each worker has a

@@ -73,7 +73,9 @@ std::string name_of(const MeshedDescription& scene, const std::string& file) {
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
-    const MeshedDescription scene = full_renderer::open_scene(settings);
+    const Say say = [&](const std::string& what) { progress.say(what); };
+    const MeshedDescription scene = full_renderer::open_scene(settings, say);
+    if (!scene.meshes.empty()) say("building the trees of the meshes");
     check_together(settings);
     const bool refines = !settings.numbers.empty();
     const auto explain = [&](const Choice& choice) {
@@ -91,9 +93,9 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
         explain(drawing.choice);
         picture = draw(drawing, scene.settings, settings.threads, progress);
     }
-    picture.words = [words = picture.words, note = effects::note_on(scene)] {
-        return words ? words() + note : note;
-    };
+    std::string note = effects::note_on(scene);
+    for (const std::string& line : scene.notes) note += "note: " + line + '\n';
+    picture.words = [words = picture.words, note] { return words ? words() + note : note; };
     return picture;
 }
 

@@ -13,6 +13,7 @@
 #include "batch_workers.hpp"
 #include "batched.hpp"
 #include "few_effects.hpp"
+#include "lit_meshes.hpp"
 #include "sampled_meshes.hpp"
 #include "tile_workers.hpp"
 
@@ -56,7 +57,7 @@ template <class Make>
 std::pair<Choice, Make> chosen(const MeshedDescription& scene,
                                const std::array<Make, few_effects.size()>& for_spheres,
                                Make for_meshes) {
-    if (!scene.meshes.empty())
+    if (!scene.meshes.empty() || has_sky_or_rough(scene))
         return {effects::choice_of(std::span{few_effects}.last(1), 0), for_meshes};
     const std::size_t number = narrowest(needed_effects(scene), few_effects);
     return {effects::choice_of(few_effects, number), for_spheres[number]};

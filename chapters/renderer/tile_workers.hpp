@@ -7,7 +7,7 @@
 #include <rt/mesh_scene.hpp>
 #include <rt/render_pixel.hpp>
 
-#include "tile_renderer.hpp"
+#include "pixel_renderer.hpp"
 
 namespace full_renderer {
 
@@ -21,6 +21,8 @@ struct TileWorkers {
 };
 
 // Pixel by pixel, each path to its end: chapter 08's way, and chapter 12's if there are meshes.
+effects::PixelRenderer make_pixel_renderer(const MeshedDescription& scene, int width, int height,
+                                           const rt::Quality& quality);
 TileWorkers make_path_by_path(const MeshedDescription& scene, int width, int height,
                               const rt::Quality& quality);
 // Chapter 10's way: the same picture, byte for byte, in batches of rays. A scene that has meshes,

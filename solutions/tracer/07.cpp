@@ -1,5 +1,6 @@
 #include <fstream>
 #include <iostream>
+#include <rt/area_split.hpp>
 #include <rt/dielectric.hpp>
 #include <rt/for_each_pixel.hpp>
 #include <rt/lambertian.hpp>
@@ -13,7 +14,6 @@
 #include <rt/shown_image.hpp>
 #include <rt/sky.hpp>
 #include <rt/sphere_list.hpp>
-#include <rt/split_by_area.hpp>
 #include <rt/tracer_call.hpp>
 
 using namespace rt;
@@ -50,7 +50,7 @@ int main(int count, char** words) try {
     if (call.list)
         draw(SphereList{scene.spheres});
     else
-        draw(make_tree(scene.spheres, split_by_area));
+        draw(make_tree(scene.spheres, AreaSplit{4}));
     std::ofstream file{call.picture};
     write_ppm(file, image);
 } catch (const std::exception& error) {

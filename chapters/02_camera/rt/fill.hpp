@@ -2,6 +2,7 @@
 #include <app/figure.hpp>
 #include <app/run.hpp>
 #include <rt/for_each_pixel.hpp>
+#include <rt/panel.hpp>
 
 namespace app {
 
@@ -11,6 +12,7 @@ namespace app {
 template <class Shade>
 void fill(Figure panel, const Shade& shade, Progress* progress = nullptr) {
     const rt::Tile pixels = panel.pixels();
+    begin_panel(panel);
     rt::for_each_pixel(pixels, [&](int column, int row) {
         panel.set(column, row, shade(column, row));
         if (progress && column == pixels.right - 1) progress->step();

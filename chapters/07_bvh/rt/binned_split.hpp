@@ -98,7 +98,7 @@ inline BinSplit cheapest_split(const Bins& all, const BinGrid& grid) {
     return best;
 }
 
-// A split for build_node, like split_by_area. Moves the numbers so that the best split between two
+// A split for build_node, like split_by_area. Moves the IDs so that the best split between two
 // bins separates the first k of them from the rest. Returns k, or 0 if no such split has spheres on
 // both sides.
 inline int binned_split(std::span<int> order, std::span<const Box> boxes) {

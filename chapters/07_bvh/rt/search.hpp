@@ -25,7 +25,7 @@ struct SearchOf {
     std::span<const int> order;     // of the tree: its leaves hold indices into it
     AnyRay ray;
     Interval within;    // its upper end moves down to the nearest hit
-    int nearest = -1;   // the number of the shape that was hit there; -1 before any hit
+    int nearest = -1;   // the ID of the shape that was hit there; -1 before any hit
     int box_tests = 0;  // the tests made so far
     int shape_tests = 0;
     SlabRay slabs = slab_ray(ray);
@@ -52,18 +52,18 @@ struct SearchOf {
     // True if a hit in this child would still count: no hit has been found in front of its box.
     bool reaches(const MetChild& child) const { return child.entry <= with_origin(within).max; }
 
-    // The numbers of the shapes in a leaf that the ray may meet: here all of them.
+    // The IDs of the shapes in a leaf that the ray may meet: here all of them.
     std::span<const int> shapes_in(const TreeNode& leaf) const {
         return order.subspan(static_cast<std::size_t>(leaf.first),
                              static_cast<std::size_t>(leaf.count));
     }
-    // The shape with this number.
-    const Shape& shape(int number) const { return shapes[static_cast<std::size_t>(number)]; }
+    // The shape with this ID, its index in the scene.
+    const Shape& shape(int id) const { return shapes[static_cast<std::size_t>(id)]; }
 
-    // Where the ray meets the shape with this number within the interval.
-    std::optional<Real> meets_shape(int number) {
+    // Where the ray meets the shape with this ID within the interval.
+    std::optional<Real> meets_shape(int id) {
         ++shape_tests;
-        return hit_shape(shape(number), ray, within);
+        return hit_shape(shape(id), ray, within);
     }
 };
 using Search = SearchOf<SceneSphere>;

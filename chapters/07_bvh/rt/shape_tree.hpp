@@ -29,7 +29,7 @@ Real margin_factor(const Shape&) {
 template <class Shape>
 struct TreeOf {
     std::vector<Shape> shapes;
-    std::vector<int> order;          // the numbers of the shapes, leaf by leaf
+    std::vector<int> order;          // the IDs of the shapes, leaf by leaf
     std::unique_ptr<TreeNode> root;  // null without shapes
     Real factor = 1;                 // the largest margin_factor: it applies to the ray, too
 
@@ -68,8 +68,8 @@ struct TreeOf {
 };
 using SphereTree = TreeOf<SceneSphere>;
 
-// The tree over these shapes. boxes[i] is the box of shape i; split is split_in_half, split_by_area
-// or another function like them.
+// The tree over these shapes. boxes[i] is the box of shape i; split is split_in_half, an
+// AreaSplit or a function like them.
 template <class Shape, class Split>
 TreeOf<Shape> make_tree(std::vector<Shape> shapes, const std::vector<Box>& boxes,
                         const Split& split) {

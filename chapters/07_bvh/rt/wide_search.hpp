@@ -2,6 +2,7 @@
 #include <bit>
 #include <cstdint>
 #include <optional>
+#include <rt/compiler.hpp>
 #include <rt/nearest_first.hpp>
 #include <rt/wide_leaf.hpp>
 #include <rt/wide_node.hpp>
@@ -21,6 +22,7 @@ struct MetWideChild {
 template <class Tree>
 struct WideSearch {
     using Number = typename Tree::BoxNumber;
+    using Leaf = typename Tree::Leaf;
     using Child = MetWideChild<Number>;
 
     const Tree& tree;
@@ -39,6 +41,7 @@ struct WideSearch {
         NearestFirst<Child, lanes> met;
         for (unsigned bits = hit.met; bits; bits &= bits - 1) {
             const auto i = static_cast<std::size_t>(std::countr_zero(bits));
+            if constexpr (Leaf::is_read_ahead) fetch(node.child[i]);
             met.add({hit.entry[i], node.child[i]});
         }
         return met;
@@ -48,15 +51,33 @@ struct WideSearch {
     }
     RT_INLINED SomeOfLeaf shapes_in(WideChild child) {
         ++shape_tests;
-        const auto& leaf = tree.leaves[static_cast<std::size_t>(child.number())];
+        const Leaf& leaf = tree.leaves[static_cast<std::size_t>(child.number())];
+        if constexpr (Leaf::is_read_ahead) last_leaf = &leaf;
         return {leaf.number, may_meet(leaf, ray, within)};
     }
     decltype(auto) shape(int number) const { return tree.shape(number); }
     RT_INLINED std::optional<Real> meets_shape(int number) const {
-        return hit_shape(shape(number), ray, within);
+        if constexpr (Leaf::is_read_ahead)
+            return hit_shape(last_leaf->shape(last_leaf->place_of(number)), ray, within);
+        else
+            return hit_shape(shape(number), ray, within);
     }
 
+    const Leaf* last_leaf = nullptr;  // the one that was met last, if leaves are read ahead
+
   private:
+    // Asks for a node or a leaf before it is needed: in a large tree it comes from far away.
+    void fetch(WideChild child) const {
+        const auto number = static_cast<std::size_t>(child.number());
+        const auto lines = [](const auto& part) {
+            for (std::size_t at = 0; at < sizeof part; at += 64)
+                RT_PREFETCH(reinterpret_cast<const char*>(&part) + at);
+        };
+        if (child.is_leaf())
+            lines(tree.leaves[number]);
+        else
+            lines(tree.nodes[number]);
+    }
     Number scaled(Real t) const { return static_cast<Number>(t * wide.scale); }
 };
 

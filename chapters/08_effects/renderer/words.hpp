@@ -6,7 +6,7 @@
 #include <rt/scene.hpp>
 #include <string>
 
-#include "tile_renderer.hpp"
+#include "pixel_renderer.hpp"
 
 namespace effects {
 

@@ -26,6 +26,14 @@ double ripple(double distance) {
            rt::portable::exp(-distance / reach) * std::min(1.0, distance / 2.5);
 }
 
+// A normal of the water there.
+Vec3 normal_at(double x, double z) {
+    constexpr double step = 0.01;
+    const double distance = rt::portable::hypot(x, z);
+    const double slope = (ripple(distance + step) - ripple(distance - step)) / (2 * step);
+    return {static_cast<Real>(-slope * x / distance), 1, static_cast<Real>(-slope * z / distance)};
+}
+
 struct Angles {
     double x, y, z;
 };
@@ -71,50 +79,22 @@ void add_horizon(Composition& picture) {
     picture.add(sun, picture.material(Emitter{{6, Real(0.45), Real(0.08)}}));
 }
 
-// A ball of glass: a drop that has just fallen. Around it are the droplets that it has splashed up,
-// each stretched along its way up and outward.
+// A drop of glass, a little longer than it is wide. Around it are the droplets that it has splashed
+// up, each stretched along its way up and outward.
 void add_drop(Composition& picture, int glass) {
-    picture.add({0, 2.9, 0, 2.3}, glass);
+    picture.add_stretched({0, 2.9, 0, 2.3}, {1, Real(1.06), 1}, {0, 0, 0}, glass);
     for (int i = 0; i < 18; ++i) {
         const double angle = 2.39996 * i, distance = 3.1 + 0.9 * rt::portable::sin(1.7 * i);
         const double size = 0.185 + 0.065 * rt::portable::cos(4.1 * i);
         picture.add_stretched(
             {distance * rt::portable::cos(angle), 3.1 + 1.1 * rt::portable::sin(2.9 * i),
              distance * rt::portable::sin(angle), size},
-            {Real(0.8), Real(1.9), Real(0.8)}, {0, -angle, -0.5}, glass);
-    }
-}
-
-// Flat leaves of water lilies that drift on the ripples, each tilted a little by its wave.
-void add_lilies(Composition& picture) {
-    const int leaf = picture.material(Lambertian{from_hex(0x8fce6a)});
-    const int flower = picture.material(Lambertian{from_hex(0xffe3ea)});
-    struct Lily {
-        double x, z, radius, tilt;
-    };
-    const Vec3 to_sun = placing::sphere_of(sun).center;
-    constexpr Lily lilies[] = {{4.4, 6.2, 1.0, 0.14},  {6.4, 7.0, 0.65, -0.1},
-                               {9.0, 3.4, 1.05, 0.12}, {-1.2, 7.4, 0.7, -0.12},
-                               {11.4, 0.6, 1.0, 0.12}, {-7.2, 1.6, 0.95, -0.15},
-                               {2.0, 8.0, 0.95, 0.1},  {14.0, -5.0, 1.1, -0.1}};
-    for (const Lily& lily : lilies) {
-        const double y = ripple(rt::portable::hypot(lily.x, lily.z)) + 0.34;
-        picture.add_stretched({lily.x, y, lily.z, lily.radius}, {1, Real(0.09), 1},
-                              {lily.tilt, 0.0, lily.tilt / 2}, leaf);
-        // Petals around the middle, each leaning outward; those that face the sun lean most.
-        for (int petal = 0; petal < 6 && lily.radius > 0.9; ++petal) {
-            const double around = petal * std::numbers::pi / 3;
-            const Vec3 outward{static_cast<Real>(rt::portable::cos(around)), 0,
-                               static_cast<Real>(-rt::portable::sin(around))};
-            const double lean = facing(outward, to_sun) > 0 ? -0.95 : -0.6;
-            picture.add_stretched({lily.x, y + 0.22, lily.z, 0.3},
-                                  {Real(0.35), Real(1), Real(0.35)}, {0, around, lean}, flower);
-        }
+            {Real(0.9), Real(1.4), Real(0.9)}, {0, -angle, -0.5}, glass);
     }
 }
 
 // The lake: pearls on the spirals of a sunflower, lifted by the ripples and colored by their
-// height, from deep water to the crests.
+// height, from deep water to the crests; on the side of a wave that faces the sun, as if higher.
 void add_lake(Composition& picture, int glass) {
     // Still water below the pearls, and as far as the hills.
     picture.add({0, -2001, 0, 2000},
@@ -131,7 +111,8 @@ void add_lake(Composition& picture, int glass) {
     Rng random{8, 8};
     for (Ball pearl : placing::sunflower(pearls, {0, 0, 0, lake_radius}, 0.2, 0.3)) {
         pearl.y = ripple(rt::portable::hypot(pearl.x, pearl.z));
-        const double tone = 0.31 + 0.52 * pearl.y + 0.22 * placing::uniform(random);
+        const int sunny = facing(normal_at(pearl.x, pearl.z), placing::sphere_of(sun).center);
+        const double tone = 0.31 + 0.52 * pearl.y + 0.07 * sunny + 0.22 * placing::uniform(random);
         const auto color = static_cast<std::size_t>(std::clamp(tone, 0.0, 0.999) * colors.size());
         const auto lot = random() % 100;
         picture.add(pearl, lot < 5 ? glass : lot < 35 ? metal[color] : matte[color]);
@@ -162,7 +143,6 @@ SceneDescription final_scene() {
     add_horizon(picture);
     add_drop(picture, glass);
     add_lake(picture, glass);
-    add_lilies(picture);
     add_lanterns(picture);
     return scene;
 }

@@ -19,6 +19,7 @@ app::Settings default_settings() {
     defaults.depth = usual.depth;
     defaults.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     defaults.seed = usual.seed;
+    defaults.exposure = 0;
     return defaults;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <rt/image_file.hpp>
+#include <rt/light_file.hpp>
 #include <rt/portable.hpp>
 
 #include "glass_in_fog.hpp"
@@ -33,11 +34,11 @@ struct Material {
     int index = -1;  // in the scene, once a sphere is made of it
 };
 
-class Reader {
+class Reader : SceneMaterials {
   public:
-    Reader(const std::string& name, const fs::path& folder, const Limits& limits,
+    Reader(const std::string& name, const ReadNeighbor& read, const Limits& limits,
            const OtherShapes& others)
-        : name_{name}, folder_{folder}, limits_{limits}, others_{others} {}
+        : name_{name}, read_{read}, limits_{limits}, others_{others} {}
 
     SceneDescription read(const Value& whole) {
         if (const auto meshes = whole.find("meshes"); meshes && others_.key != "meshes")
@@ -69,8 +70,7 @@ class Reader {
             }
         if (!others_.key.empty())
             if (const auto others = whole.find(others_.key))
-                for (const Value& shape : others->list(others_.key))
-                    others_.read_one(shape, [&](const Value& name) { return reflecting(name); });
+                for (const Value& shape : others->list(others_.key)) others_.read_one(shape, *this);
         if (const auto found = filled_glass_in_fog(scene_))
             throw app::UsageError(name_ + ": " + place_of(found->first) +
                                   " is glass in the fog, and " + place_of(found->second) +
@@ -112,8 +112,29 @@ class Reader {
     }
 
     void read_sky(const Value& sky) {
+        if (const auto image = sky.find("image")) return read_sky_image(sky, *image);
         sky.with_keys({"below", "above"});
         scene_.sky = {color(sky.at("below"), light), color(sky.at("above"), light)};
+    }
+
+    void read_sky_image(const Value& sky, const Value& image) {
+        if (others_.key.empty())
+            image.fail("is not drawn by this program; ./course run 08 takes the one that draws it");
+        sky.with_keys({"image", "rotate_deg", "scale"});
+        const Real turn = number(sky, "rotate_deg", {-360, 360}, 0) / 360;
+        const Real within = turn - std::floor(turn);  // a tiny negative turn may give 1
+        scene_.sky_image = SkyImage{static_cast<int>(scene_.images.size()), within < 1 ? within : 0,
+                                    number(sky, "scale", light, 1)};
+        const std::string& name = image.text("the name of a .hdr or .pfm file");
+        const std::string bytes = read_(image, name, "a sky", std::size_t{1} << 27);
+        scene_.images.push_back(decoded(image, name, [&](int most_pixels) {
+            try {
+                return decode_light(bytes, most_pixels);
+            } catch (const std::runtime_error& wrong) {
+                image.fail("is " + app::quoted(name) + ", which cannot be used: the file " +
+                           wrong.what());
+            }
+        }));
     }
 
     void read_fog(const Value& value) {
@@ -137,7 +158,8 @@ class Reader {
         if (texture.at("type").word({"checker", "image"}) == "image") {
             texture.with_keys({"type", "file"});
             result.picture.image = static_cast<int>(scene_.images.size());
-            scene_.images.push_back(read_image(texture.at("file")));
+            const Value file = texture.at("file");
+            scene_.images.push_back(read_image(file, file.text("the name of an image file")));
         } else {
             texture.with_keys({"type", "even", "odd", "size"});
             result.checker = {color(texture.at("even"), shares), color(texture.at("odd"), shares),
@@ -146,18 +168,30 @@ class Reader {
         return result;
     }
 
-    Image read_image(const Value& file) {
-        const std::string bytes = read_neighbor(file, folder_, "an image", 64 << 20);
-        const std::string shown = app::quoted(file.text("a name"));
+    // `file` is the value to blame.
+    Image read_image(const Value& file, const std::string& name) {
+        const std::string bytes = read_(file, name, "an image", 64 << 20);
+        return decoded(file, name, [&](int most_pixels) {
+            try {
+                return decode_image(bytes, most_pixels);
+            } catch (const std::runtime_error&) {
+                file.fail("is " + app::quoted(name) +
+                          ", which is not a readable PNG image; only PNG is read");
+            }
+        });
+    }
+
+    // The image that decode(most_pixels) gives; fails if it has more pixels than are left.
+    template <class Decode>
+    Image decoded(const Value& file, const std::string& name, const Decode& decode) {
         try {
-            Image image = decode_image(bytes, pixels_left_);
+            Image image = decode(pixels_left_);
             pixels_left_ -= image.width() * image.height();
             return image;
         } catch (const std::length_error&) {
-            file.fail("is " + shown + ", which is too large; all images of a scene may have " +
+            file.fail("is " + app::quoted(name) +
+                      ", which is too large; all images of a scene may have " +
                       std::to_string(limits_.image_pixels) + " pixels together");
-        } catch (const std::runtime_error&) {
-            file.fail("is " + shown + ", which is not a readable PNG image; only PNG is read");
         }
     }
 
@@ -186,7 +220,8 @@ class Reader {
             {"metal", {"color", "fuzz"}, &Reader::read_metal},
             {"glass", {"index"}, &Reader::read_glass},
             {"light", {"color", "strength"}, &Reader::read_light},
-            {"own", {"color", "amount"}, &Reader::read_own}};
+            {"own", {"color", "amount"}, &Reader::read_own},
+            {"rough", {"color", "roughness"}, &Reader::read_rough}};
         return types;
     }
 
@@ -214,6 +249,15 @@ class Reader {
     }
     MaterialDescription read_own(const Value& value, Material& material) const {
         return OwnMaterial{read_color(value, material), number(value, "amount", shares, Real(0.5))};
+    }
+
+    MaterialDescription read_rough(const Value& value, Material& material) const {
+        if (others_.key.empty())
+            value.at("type").fail(
+                "is \"rough\", which this program does not draw; ./course run 08 takes the one "
+                "that draws it");
+        return RoughDescription{read_color(value, material),
+                                number(value, "roughness", {0.01, 1}, Real(0.3))};
     }
 
     // The color of a material, or the first of the two colors that it lies between.
@@ -273,12 +317,23 @@ class Reader {
         return material.index;
     }
 
-    // The index of a material for a shape that cannot shine.
-    int reflecting(const Value& name) {
-        Material& material = named(materials_, name, "material");
-        if (std::holds_alternative<Emitter>(material.description))
-            name.fail("is a light, and a light is a plain sphere");
-        return use(material);
+    int named(const Value& name) override { return use(named(materials_, name, "material")); }
+    std::optional<int> find(const std::string& name) override {
+        const auto found = materials_.find(name);
+        if (found == materials_.end()) return {};
+        return use(found->second);
+    }
+    int add(const MaterialDescription& material) override {
+        scene_.materials.push_back(material);
+        return static_cast<int>(scene_.materials.size()) - 1;
+    }
+    int add_image(const Value& where, const std::string& file) override {
+        scene_.images.push_back(read_image(where, file));
+        return static_cast<int>(scene_.images.size()) - 1;
+    }
+    bool shows_image(int material) const override {
+        return std::holds_alternative<PictureMatte>(
+            scene_.materials[static_cast<std::size_t>(material)]);
     }
 
     // How many more spheres there may be.
@@ -337,7 +392,12 @@ class Reader {
                 .fail(
                     "is a light, and a light is a plain sphere: leave out scale, "
                     "rotate_deg and matrix");
-        to.material = use(material);
+        if (const auto* const picture = std::get_if<PictureMatte>(&material.description);
+            picture && to.map >= 0) {  // a material of its own, which moves with the sphere
+            to.material = add(PictureMatte{picture->image, to.map});
+        } else {
+            to.material = use(material);
+        }
         scene_.spheres.push_back(to);
         there_.add(placing::ball_of(to.shape));
     }
@@ -449,7 +509,7 @@ class Reader {
     }
 
     const std::string& name_;
-    const fs::path& folder_;
+    const ReadNeighbor& read_;
     const Limits& limits_;
     const OtherShapes& others_;
     int pixels_left_ = limits_.image_pixels;
@@ -463,9 +523,19 @@ class Reader {
 }  // namespace
 
 SceneDescription parse_scene(const std::string& text, const std::string& name,
+                             const ReadNeighbor& read, const Limits& limits,
+                             const OtherShapes& others) {
+    return Reader{name, read, limits, others}.read(Value::parse(text, name, "the scene"));
+}
+
+SceneDescription parse_scene(const std::string& text, const std::string& name,
                              const fs::path& folder, const Limits& limits,
                              const OtherShapes& others) {
-    return Reader{name, folder, limits, others}.read(Value::parse(text, name, "the scene"));
+    const auto read = [&](const Value& where, const std::string& file, const std::string& kind,
+                          std::size_t most_bytes) {
+        return read_neighbor(where, file, folder, kind, most_bytes);
+    };
+    return parse_scene(text, name, ReadNeighbor{read}, limits, others);
 }
 
 SceneDescription read_scene(const fs::path& file, const OtherShapes& others) {

@@ -61,9 +61,8 @@ void expect_not_flat(const Value& where, const Mat4& map, const std::string& sha
                    "; its first three columns must point in three directions of space");
 }
 
-std::string read_neighbor(const Value& file, const fs::path& folder, const std::string& kind,
-                          std::size_t most) {
-    const std::string& given = file.text("the name of " + kind + " file");
+std::string read_neighbor(const Value& file, const std::string& given, const fs::path& folder,
+                          const std::string& kind, std::size_t most) {
     const fs::path path{given};
     const std::string shown = app::quoted(given);
     if (given.empty() || given.find('\0') != std::string::npos)

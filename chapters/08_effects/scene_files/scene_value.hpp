@@ -80,9 +80,10 @@ rt::Mat4 read_matrix(const Value& matrix);
 // Fails if the map is singular, or nearly so. `shape` is what it flattens, such as "sphere".
 void expect_not_flat(const Value& where, const rt::Mat4& map, const std::string& shape);
 
-// The bytes of a file in the scene's folder. Files elsewhere are not read, so that a scene from
-// someone else cannot reveal them. `kind` is such as "an image".
-std::string read_neighbor(const Value& file, const std::filesystem::path& folder,
-                          const std::string& kind, std::size_t most);
+// The bytes of a file in the scene's folder, which the value `file` leads to. Files elsewhere are
+// not read, so that a scene from someone else cannot reveal them. `kind` is such as "an image".
+std::string read_neighbor(const Value& file, const std::string& given,
+                          const std::filesystem::path& folder, const std::string& kind,
+                          std::size_t most);
 
 }  // namespace effects

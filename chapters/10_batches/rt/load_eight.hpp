@@ -43,9 +43,20 @@ using Block = PackOf<Real, 16 / sizeof(Real)>;
 inline constexpr std::size_t block_size = sizeof(Block) / sizeof(Real);
 inline constexpr std::size_t blocks = pack_size / block_size;
 
-template <class Low, class High, std::size_t... i>
-auto join(Low low, High high, std::index_sequence<i...>) {
-    return __builtin_shufflevector(low, high, i...);
+// The numbers of a and b with these indices; those of b follow those of a.
+template <std::size_t... i, class Numbers>
+RT_INLINED auto chosen(Numbers a, Numbers b) {
+#if __has_builtin(__builtin_shufflevector)
+    return __builtin_shufflevector(a, b, i...);
+#else  // g++ 11
+    constexpr std::size_t count = sizeof(Numbers) / sizeof(Real);
+    return PackOf<Real, sizeof...(i)>{(i < count ? a[i] : b[i - count])...};
+#endif
+}
+
+template <class Half, std::size_t... i>
+auto join(Half low, Half high, std::index_sequence<i...>) {
+    return chosen<i...>(low, high);
 }
 // Joins `count` blocks into one vector: block(first), block(first + 1) ...
 template <std::size_t count = blocks, class GetBlock>
@@ -60,7 +71,7 @@ auto join_blocks(const GetBlock& block, std::size_t first = 0) {
 template <std::size_t number>
 Block get_block(Pack pack) {
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
-        return __builtin_shufflevector(pack, pack, (number * block_size + i)...);
+        return chosen<(number * block_size + i)...>(pack, pack);
     }
     (std::make_index_sequence<block_size>{});
 }
@@ -70,8 +81,7 @@ Block get_block(Pack pack) {
 template <std::size_t half, std::size_t... i>
 Pack interleave(Pack a, Pack b, std::index_sequence<i...>) {
     constexpr std::size_t n = block_size;
-    return __builtin_shufflevector(
-        a, b, (i / n * n + half * n / 2 + i % n / 2 + (i % 2 ? pack_size : 0))...);
+    return chosen<(i / n * n + half * n / 2 + i % n / 2 + (i % 2 ? pack_size : 0))...>(a, b);
 }
 
 // Swaps rows[i][k] and rows[k][i] within each block.

@@ -9,8 +9,8 @@
 
 namespace rt {
 
-// A path that is being followed (given). In float, a record has 64 bytes, as many as a processor
-// fetches from memory at once.
+// A path that is being followed (given). In float, a record has 64 bytes, as many as most
+// processors fetch from memory at once.
 struct alignas(64) PathRecord {
     // What the search for the nearest sphere needs: eight numbers of the same size.
     Vec3 origin, direction;   // of its ray

@@ -7,23 +7,14 @@
 
 namespace rt {
 
-// Exercise 04.3. Both functions turn a sample point of the unit square, `place`, 0 <= x, y < 1,
-// into a direction of length 1. Random sample points, spread evenly over the square, become random
-// directions. std::sin and std::cos will do; the solution uses sine_cosine_of_turn from
+// Exercise 04.3. Turns a sample point of the unit square, `place`, 0 <= x, y < 1, into a direction
+// on the normal's side, of length 1. Random sample points, spread evenly over the square, become
+// directions distributed by their cosine with the normal: probability density cos / pi. The normal
+// must have length 1. std::sin and std::cos will do; the solution uses sine_cosine_of_turn from
 // <rt/sine_cosine.hpp>, which gives the same bits with every library.
-// Star: the length is within 2 epsilon of 1, even at the corners of the square.
-
-// Every direction is equally likely.
-// Star: near the poles, the distance from the axis is small but must keep all its digits. Source:
-// Archimedes, "On the sphere and cylinder": slices of equal thickness have equal surface.
-inline Vec3 uniform_direction(Vec2 place) {
-    return rt::todo("04.3", place);
-}
-
-// A direction on the normal's side, distributed by its cosine with the normal: probability density
-// cos / pi. The normal must have length 1.
-// Star: the cosine is always greater than 0. Source: Malley's method: points spread evenly over a
-// disk, lifted up to the hemisphere.
+// Star: the length is within 2 epsilon of 1, even at the corners of the square, and the cosine is
+// always greater than 0. Source: Malley's method: points spread evenly over a disk, lifted up to
+// the hemisphere.
 inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     return rt::todo("04.3", normal, place);
 }

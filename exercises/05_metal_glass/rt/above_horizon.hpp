@@ -6,8 +6,8 @@
 
 namespace rt {
 
-// Exercise 05.2, the first part. The direction of v, folded to the normal's side of the surface: if
-// v points below, it is mirrored at the surface. v may have any length that is far from the
+// Exercise 05.2, the second part. The direction of v, folded to the normal's side of the surface:
+// if v points below, it is mirrored at the surface. v may have any length that is far from the
 // smallest and the largest numbers; the result has length 1.
 // Star: its computed dot product with the normal is greater than 0, whatever the rounding. To
 // ensure this, any height below rounding_bound(16) times the length of v is raised to that bound,

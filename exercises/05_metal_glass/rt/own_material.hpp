@@ -9,6 +9,7 @@
 #include <rt/refract.hpp>
 #include <rt/scatter.hpp>
 #include <rt/todo.hpp>
+#include <rt/uniform_direction.hpp>
 
 namespace rt {
 

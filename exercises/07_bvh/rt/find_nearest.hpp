@@ -4,12 +4,12 @@
 
 namespace rt {
 
-// Exercise 07.4. Tests one shape, here a sphere, with search.meets_shape(number). If its hit is the
+// Exercise 07.4. Tests one shape, here a sphere, with search.meets_shape(id). If its hit is the
 // nearest so far, remembers it in search.nearest and search.within.max. Of equally near shapes the
-// one with the highest number counts, as in SphereList, whatever order they come in.
+// one with the highest ID counts, as in SphereList, whatever order they come in.
 template <class AnySearch>
-void try_shape(int number, AnySearch& search) {
-    rt::todo("07.4", number, search);
+void try_shape(int id, AnySearch& search) {
+    rt::todo("07.4", id, search);
 }
 
 // Exercise 07.4. Tests every shape below a node that may give a nearer hit than the nearest so far.

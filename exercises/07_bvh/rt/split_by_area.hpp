@@ -13,17 +13,17 @@ inline Real surface_area(const Box& box) {
     return rt::todo("07.5", box);
 }
 
-// Exercise 07.5. Sorts the numbers of spheres so that the best split is between the first k of them
-// and the rest, and returns k, or 0 if no split is cheaper than a leaf. The candidates are all
-// splits of the spheres when these are sorted by the centers of their boxes along x, along y or
-// along z; the text gives the cost of a split and of a leaf. `order` has at least one number;
-// ignore all other boxes.
+// Exercise 07.5. Sorts the IDs of spheres so that the best split is between the first k and the
+// rest, and returns k, or 0 if no split is cheaper than a leaf. The candidates are all splits of
+// the spheres, sorted by their boxes' centers along x, y or z. The text gives the costs: that of a
+// sphere's test is 1, that of both children's boxes is boxes_cost, 0 or more. `order` has at least
+// one ID; ignore all other boxes.
 // Star: equal centers may come in any order, but the final order must be the one whose cost you
-// found to be the least. The time grows as n log(n) for n numbers. If the box around the spheres in
+// found to be the least. The time grows as n log(n) for n IDs. If the box around the spheres in
 // `order` has area 0, nothing is cheaper than a leaf.
 // Source: MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
-inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
-    rt::todo("07.5", order, boxes);  // delete this line when you have filled the gaps
+inline int split_by_area(std::span<int> order, std::span<const Box> boxes, Real boxes_cost) {
+    rt::todo("07.5", order, boxes, boxes_cost);  // delete this line when you have filled the gaps
     const int n = static_cast<int>(order.size());
     const auto sort_along = [&](int axis) {
         std::sort(order.begin(), order.end(), [&](int a, int b) {

@@ -1,12 +1,12 @@
 #pragma once
 #include <optional>
-#include <rt/directions.hpp>
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
 #include <rt/light_sample.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/sphere.hpp>
 #include <rt/todo.hpp>
+#include <rt/uniform_direction.hpp>
 
 namespace rt {
 

@@ -11,33 +11,22 @@ inline std::uint32_t reversed_bits(std::uint32_t x) {
     return rt::todo("11.4", x);
 }
 
-// Point `index` of Sobol's sequence in two dimensions, in the order of the formula itself (not that
-// of a Gray code); point 0 is (0, 0). x has the bits of the index in reverse order. y is the
-// exclusive or of one column for each bit of the index that is 1. Column 0, which belongs to the
-// lowest bit, is 0x80000000, and each later column is c ^ c >> 1, where c is the column before it.
-// Star: every 32-bit index must work. Five masked steps do the work of all columns at once (the
-// text shows them), and give the same points. Of the points k 2^m, k 2^m + 1 ... (k + 1) 2^m - 1,
-// exactly one is in each of the 2^m boxes of equal size and shape into which repeated halving can
-// cut the square.
+// Point `index` of Sobol's sequence in two dimensions, point 0 being (0, 0). x has the bits of the
+// index in reverse order. y is the exclusive or of one column for each bit of the index that is 1.
+// Column 0, which belongs to the lowest bit, is 0x80000000, and each later column is c ^ c >> 1,
+// where c is the column before it.
+// Star: every 32-bit index must work. Five masked steps do the work of all columns at once.
 // Source: Sobol', "On the distribution of points in a cube and the approximate evaluation of
-// integrals", 1967; the columns are Pascal's triangle modulo 2.
+// integrals", 1967.
 inline FixedPoint2 sobol_point(std::uint32_t index) {
     return rt::todo("11.4", index);
 }
 
-// Owen's scrambling, a shuffling of all 32-bit fractions. A random bit decides whether to swap the
-// two halves of the interval, two more bits decide whether to swap the two halves of each half, and
-// so on. Whether a bit of the fraction is flipped thus depends on the seed and on all higher bits,
-// and on no lower bit. If two fractions agree in their first n bits and differ in the next bit, so
-// do their results.
-// Star: over all seeds, each of the 128 patterns of the seven flips of the first three bits occurs
-// equally often. Each later flip happens half of the time, and any two agree about half of the
-// time. The seed has 32 bits, and all of them count: seed + 1 gives a different scrambling. (One
-// flip alone may change nearly every time the seed increases by 1, as the first flip does here.)
-// Scrambling needs a hash, and any good one will do. The one here works on x, the fraction with its
-// bits reversed. In x, the higher bits of the fraction are to the right, and a product or a sum
-// carries only to the left. The steps are: x ^= x * 0x3d20adea, x += seed,
-// x ^= x * (seed >> 16 & ~1), x ^= seed >> 8, x ^= x * 0x53a22864.
+// Owen's scrambling, a shuffling of all 32-bit fractions: bits are flipped as if at random. Whether
+// a bit is flipped depends on the seed and on all higher bits, and on no lower bit. The text has
+// five steps that do it, with the bits reversed.
+// Star: the first seven flips are as random as coins, and the later ones nearly so. All 32 bits of
+// the seed count: seed + 1 gives a different scrambling.
 // Sources: Owen, "Randomly permuted (t,m,s)-nets and (t,s)-sequences", 1995; as a hash: Laine and
 // Karras, "Stratified sampling for stochastic transparency", EGSR 2011; the two factors: Vegdahl,
 // "Building a better LK hash", 2021.

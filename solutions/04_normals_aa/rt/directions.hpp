@@ -7,22 +7,10 @@
 
 namespace rt {
 
-// Both functions below turn `place`, a sample point of the unit square with 0 <= x, y < 1, into a
-// direction whose length differs from 1 by at most 2 epsilon. Random sample points, spread evenly
-// over the square, become random directions.
-
-// Every direction is equally likely. Source: Archimedes, "On the sphere and cylinder": slices of a
-// sphere that are equally thick have equal areas.
-inline Vec3 uniform_direction(Vec2 place) {
-    const Real z = 1 - 2 * place.x;
-    // sqrt(1 - z^2), without the cancellation near the poles.
-    const Real radius = 2 * std::sqrt(place.x * (1 - place.x));
-    const auto [sine, cosine] = sine_cosine_of_turn(place.y);
-    return {radius * cosine, radius * sine, z};
-}
-
-// A direction on the normal's side, distributed by its cosine with the normal: probability density
-// cos / pi. The normal must have length 1. The cosine is always greater than 0.
+// Turns `place`, a sample point of the unit square with 0 <= x, y < 1, into a direction on the
+// normal's side, whose length differs from 1 by at most 2 epsilon. Random sample points, spread
+// evenly over the square, become random directions distributed by their cosine with the normal:
+// probability density cos / pi. The normal must have length 1. The cosine is always greater than 0.
 // Source: Malley's method: points spread evenly over a disk, lifted up to the hemisphere.
 inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     const Real radius = std::sqrt(place.x);

@@ -5,6 +5,7 @@
 #include <rt/hit.hpp>
 #include <rt/reflect.hpp>
 #include <rt/scatter.hpp>
+#include <rt/uniform_direction.hpp>
 
 namespace rt {
 

@@ -7,11 +7,11 @@
 
 namespace rt {
 
-// Both functions work on a part of the tree's order: `order`, which holds the numbers of some
-// spheres, whose boxes are boxes[number]. They move the numbers within `order` and copy nothing.
+// Both functions work on a part of the tree's order: `order`, which holds the IDs of some
+// spheres, whose boxes are boxes[id]. They move the IDs within `order` and copy nothing.
 
-// Sorts the numbers by the centers of their boxes, along the axis on which these centers are
-// farthest apart. Returns how many of the numbers go to the left: half, or 0 if there are at most
+// Sorts the IDs by the centers of their boxes, along the axis on which these centers are
+// farthest apart. Returns how many of the IDs go to the left: half, or 0 if there are at most
 // leaf_size spheres, which need no split.
 inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
     const auto count = static_cast<int>(order.size());
@@ -29,7 +29,7 @@ inline int split_in_half(std::span<int> order, std::span<const Box> boxes) {
 }
 
 // The tree over this part of the order, which begins at index `first` of the whole order. It has at
-// least one number. split(order, boxes) is split_in_half or a function like it. From level
+// least one ID. split(order, boxes) is split_in_half or a function like it. From level
 // most_levels on, split_in_half is always used.
 template <class Split>
 std::unique_ptr<TreeNode> build_node(std::span<int> order, int first, std::span<const Box> boxes,

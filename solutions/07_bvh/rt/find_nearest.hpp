@@ -4,17 +4,17 @@
 namespace rt {
 
 // Tests one shape. If its hit is the nearest so far, remembers it in search.nearest and
-// search.within.max. Of equally near shapes the one with the highest number counts, as in
+// search.within.max. Of equally near shapes the one with the highest ID counts, as in
 // SphereList, whatever order they come in.
 template <class AnySearch>
-void try_shape(int number, AnySearch& search) {
-    const auto t = search.meets_shape(number);
+void try_shape(int id, AnySearch& search) {
+    const auto t = search.meets_shape(id);
     if (!t) return;
     // The interval ends at the nearest hit so far, so t is not larger. Before any hit, `nearest` is
-    // -1, and no number is less.
-    if (*t == search.within.max && number < search.nearest) return;
+    // -1, and no ID is less.
+    if (*t == search.within.max && id < search.nearest) return;
     search.within.max = *t;
-    search.nearest = number;
+    search.nearest = id;
 }
 
 // Tests every shape below a node that may give a nearer hit than the nearest so far. The nearest
@@ -22,7 +22,7 @@ void try_shape(int number, AnySearch& search) {
 template <class AnyNode, class AnySearch>
 void find_nearest(const AnyNode& node, AnySearch& search) {
     if (node.is_leaf()) {
-        for (const int number : search.shapes_in(node)) try_shape(number, search);
+        for (const int id : search.shapes_in(node)) try_shape(id, search);
         return;
     }
     for (const auto& child : search.children_of(node))

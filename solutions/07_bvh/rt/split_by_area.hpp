@@ -13,13 +13,13 @@ inline Real surface_area(const Box& box) {
     return 2 * (size.x * size.y + size.y * size.z + size.z * size.x);
 }
 
-// Sorts the numbers of spheres so that the best split is between the first k of them and the rest,
+// Sorts the IDs of spheres so that the best split is between the first k of them and the rest,
 // and returns k, or 0 if no split is cheaper than a leaf. The cost of a split is the work to expect
-// for a ray that meets the box around all these spheres: one unit for testing the two children's
-// boxes, and for each child one unit per sphere, times the probability that the ray meets the
-// child. This probability is the area of the child's box over that of the whole box. Source:
-// MacDonald and Booth, "Heuristics for ray tracing using space subdivision", 1990.
-inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
+// for a ray that meets the box around all these spheres: boxes_cost for testing the two children's
+// boxes, and for each child 1 per sphere, times the probability that the ray meets the child. This
+// probability is the area of the child's box over that of the whole box. Source: MacDonald and
+// Booth, "Heuristics for ray tracing using space subdivision", 1990.
+inline int split_by_area(std::span<int> order, std::span<const Box> boxes, Real boxes_cost) {
     const auto box_of = [&](std::size_t place) -> const Box& {
         return boxes[static_cast<std::size_t>(order[place])];
     };
@@ -27,7 +27,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
         const auto middle = [&](int sphere) {
             return along(boxes[static_cast<std::size_t>(sphere)].center(), axis);
         };
-        // Equal middles stay in the order of their numbers, so that sorting once more along the
+        // Equal middles stay in the order of their IDs, so that sorting once more along the
         // best axis gives the very order whose cost was computed.
         std::sort(order.begin(), order.end(), [&](int a, int b) {
             const Real of_a = middle(a), of_b = middle(b);
@@ -40,7 +40,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
     // All costs are multiplied by the area of the whole box, so nothing is divided.
     Box whole;
     for (std::size_t i = 0; i < count; ++i) whole = join(whole, box_of(i));
-    const Real box_cost = surface_area(whole);
+    const Real both_boxes = boxes_cost * surface_area(whole);
     Real best_cost = static_cast<Real>(count) * surface_area(whole);  // of a leaf
     std::size_t best_left = 0;
     int best_axis = 0;
@@ -55,7 +55,7 @@ inline int split_by_area(std::span<int> order, std::span<const Box> boxes) {
         }
         for (std::size_t k = 1; k < count; ++k) {
             left = join(left, box_of(k - 1));
-            const Real cost = box_cost + static_cast<Real>(k) * surface_area(left) +
+            const Real cost = both_boxes + static_cast<Real>(k) * surface_area(left) +
                               static_cast<Real>(count - k) * right_area[k];
             if (cost < best_cost) {
                 best_cost = cost;

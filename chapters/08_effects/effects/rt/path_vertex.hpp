@@ -11,6 +11,13 @@
 
 namespace rt {
 
+// The starting point of a ray that leaves a hit in a direction in which its material scatters
+// (given). Materials that do not start there have a function of their own.
+template <class Materials>
+Vec3 leaving_point(const Materials&, const Hit& hit, Vec3 direction) {
+    return leave_surface(hit, direction);
+}
+
 // A vertex of a path (given), where a ray ends: on a surface, at a droplet of fog, or nowhere, in
 // the sky.
 template <class Materials, class AnyMedium>
@@ -41,14 +48,16 @@ struct PathVertex {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, *hit, direction);
     }
-    // Star: the same, but including the density of rough metal, except in a scene with meshes. This
-    // density has no upper limit, so it may be used only with weights.
+    // Star: the same, but including the density of rough metal, except on meshes. This density has
+    // no upper limit, so it may be used only with weights.
     Real shared_density(Vec3 direction) const {
         return collision ? fog.density(incoming, direction)
                          : scatter_density(materials, incoming, *hit, direction);
     }
     // The starting point of a ray that leaves in this direction.
-    Vec3 origin(Vec3 direction) const { return collision ? point : leave_surface(*hit, direction); }
+    Vec3 origin(Vec3 direction) const {
+        return collision ? point : leaving_point(materials, *hit, direction);
+    }
 };
 
 // Follows a ray to its end. Within glass there is no fog.

@@ -31,6 +31,13 @@ inline constexpr Sphere unit_sphere{{0, 0, 0}, 1};
 
 // What rounding does to the two maps (given).
 
+// The map whose coefficients are the absolute values of this map's.
+inline Mat4 abs(Mat4 map) {
+    for (auto& row : map.rows)
+        for (Real& number : row) number = std::abs(number);
+    return map;
+}
+
 // How far the point may lie off the instance's surface, along the normal. For leave_surface: a ray
 // that starts this far away from the surface does not meet it again at once.
 inline Real instance_error(const Instance& instance, Vec3 point) {
@@ -40,10 +47,7 @@ inline Real instance_error(const Instance& instance, Vec3 point) {
     const Vec3 there = transform_point(m, point);
     const Real off = std::abs(length(there) - 1);
     // Each coordinate there is rounded 4 times now, and 4 times more when a ray starts from here.
-    Mat4 sizes = m;
-    for (auto& row : sizes.rows)
-        for (Real& number : row) number = std::abs(number);
-    const Real rounding = rounding_bound(8) * dot(abs(there), transform_point(sizes, abs(point)));
+    const Real rounding = rounding_bound(8) * dot(abs(there), transform_point(abs(m), abs(point)));
     // 16 as in surface_hit, and 3 for the length. The quotient turns a distance in the object's
     // space into a step along the normal in the world.
     return (off + rounding + rounding_bound(19)) / length(transform_normal(m, there));

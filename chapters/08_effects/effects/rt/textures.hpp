@@ -5,8 +5,10 @@
 #include <rt/directions.hpp>
 #include <rt/hit.hpp>
 #include <rt/image.hpp>
+#include <rt/length.hpp>
 #include <rt/portable.hpp>
 #include <rt/scatter.hpp>
+#include <rt/transform.hpp>
 
 namespace rt {
 
@@ -19,14 +21,17 @@ struct CheckeredMatte {
 
 // A matte material with an image around the sphere, like a map of the world around a globe: its
 // upper edge is at the north pole (y up), its middle is at +z, and its left and right edges
-// meet at -z.
+// meet at -z. On an instance, which a map takes from the unit sphere to the world, the image moves
+// with the sphere.
 struct PictureMatte {
     int image = 0;  // an index into the scene's images, whose colors are albedos, in [0, 1]
+    int map = -1;   // the instance's, an index into the scene's maps; -1 for a plain sphere
 };
 
-// The same, as renderers keep it: with the image itself instead of its index.
+// The same, as renderers keep it: with the image and the map themselves instead of their indices.
 struct ImageMatte {
     const Image* image = nullptr;
+    const Mat4* map = nullptr;
 };
 
 // The color of the cube that a point lies in.
@@ -55,7 +60,10 @@ inline Color albedo_at(const CheckeredMatte& material, const Hit& hit) {
     return checker_color(material, hit.point);
 }
 inline Color albedo_at(const ImageMatte& material, const Hit& hit) {
-    return image_color(*material.image, hit.normal);
+    // A normal goes back to the unit sphere by the inverse of the inverse: the map itself.
+    const Vec3 direction =
+        material.map ? normalize(transform_normal(*material.map, hit.normal)) : hit.normal;
+    return image_color(*material.image, direction);
 }
 
 template <class Random>

@@ -8,6 +8,7 @@
 #include <rt/for_each_pixel.hpp>
 #include <rt/image.hpp>
 #include <rt/render_tiles.hpp>
+#include <utility>
 
 namespace rt {
 
@@ -52,15 +53,35 @@ std::int64_t draw_pixels(const Tile& tile, Image& image, const ColorOf& color) {
     return done;
 }
 
+// Draws a picture pixel by pixel, in tiles of 16 x 16, with a renderer that all threads share
+// (given). renderer(x, y, rays) is the color of a pixel, and adds the number of rays to `rays`.
+template <class AnyRenderer>
+app::Picture draw_with(const AnyRenderer& renderer, const app::Settings& settings,
+                       app::Progress& progress) {
+    return draw_by_tiles({settings.width, settings.height, 16}, settings.threads, progress,
+                         [&](const Tile& tile, int, Image& image, std::uint64_t& rays) {
+                             return draw_pixels(tile, image,
+                                                [&](int x, int y) { return renderer(x, y, rays); });
+                         });
+}
+
 // Draws the pixels of a tile, and returns how many are done: all, unless a signal came meanwhile
 // (app::Interruption) and the function stops at signals. Adds the number of rays to `rays`.
 using DrawTile = std::function<std::int64_t(const Tile&, Image& image, std::uint64_t& rays)>;
 
-// Draws tiles pixel by pixel with a renderer, which it keeps alive.
+// The color of the pixel in column x of row y of a picture. Adds the number of rays to `rays`.
+using PixelColor = std::function<Color(int x, int y, std::uint64_t& rays)>;
+
+// The colors that a renderer computes; keeps the renderer alive.
 template <class AnyRenderer>
-DrawTile pixel_by_pixel(std::shared_ptr<const AnyRenderer> renderer) {
-    return [renderer](const Tile& tile, Image& image, std::uint64_t& rays) {
-        return draw_pixels(tile, image, [&](int x, int y) { return (*renderer)(x, y, rays); });
+PixelColor color_by(std::shared_ptr<const AnyRenderer> renderer) {
+    return [renderer](int x, int y, std::uint64_t& rays) { return (*renderer)(x, y, rays); };
+}
+
+// Draws tiles pixel by pixel.
+inline DrawTile pixel_by_pixel(PixelColor color) {
+    return [color = std::move(color)](const Tile& tile, Image& image, std::uint64_t& rays) {
+        return draw_pixels(tile, image, [&](int x, int y) { return color(x, y, rays); });
     };
 }
 

@@ -49,7 +49,7 @@ inline Prepared prepare_shapes(const SceneDescription& scene) {
 template <bool present, class Shape>
 auto tree_if(const std::vector<Shape>& shapes) {
     if constexpr (present)
-        return make_tree(shapes, split_by_area);
+        return make_tree(shapes, AreaSplit{});
     else
         return NoWorld{};
 }
@@ -64,18 +64,24 @@ auto make_world(const Prepared& shapes) {
 
 // A material as renderers keep it.
 template <class Material>
-ReadyMaterial ready(const Material& material, const std::vector<Image>&) {
+ReadyMaterial ready(const Material& material, const SceneDescription&) {
     return material;
 }
-inline ReadyMaterial ready(const Metal& metal, const std::vector<Image>&) {
+inline ReadyMaterial ready(const Metal& metal, const SceneDescription&) {
     if (metal.fuzz == 0) return Mirror{metal.albedo};
     return metal;
 }
-inline ReadyMaterial ready(const PictureMatte& picture, const std::vector<Image>& images) {
-    return ImageMatte{&images[static_cast<std::size_t>(picture.image)]};
+inline ReadyMaterial ready(const PictureMatte& picture, const SceneDescription& scene) {
+    return ImageMatte{
+        &scene.images[static_cast<std::size_t>(picture.image)],
+        picture.map < 0 ? nullptr : &scene.maps[static_cast<std::size_t>(picture.map)]};
 }
 // An emitter reflects nothing.
-inline ReadyMaterial ready(const Emitter&, const std::vector<Image>&) {
+inline ReadyMaterial ready(const Emitter&, const SceneDescription&) {
+    return Lambertian{};
+}
+// What draws this metal keeps it apart from the other materials.
+inline ReadyMaterial ready(const RoughDescription&, const SceneDescription&) {
     return Lambertian{};
 }
 
@@ -92,7 +98,7 @@ Materials prepare_materials(const SceneDescription& scene) {
             prepared.materials.emplace_back(Lambertian{});
     };
     for (const MaterialDescription& description : scene.materials)
-        std::visit([&](const auto& material) { std::visit(add, ready(material, scene.images)); },
+        std::visit([&](const auto& material) { std::visit(add, ready(material, scene)); },
                    description);
     return prepared;
 }

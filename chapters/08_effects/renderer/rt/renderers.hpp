@@ -49,18 +49,19 @@ inline constexpr auto renderer_effects = [] {
     return all;
 }();
 
-// Draws a scene with one of these renderers. The scene must outlive the result.
-using MakeDrawTile = DrawTile (*)(const SceneDescription& scene, int width, int height,
-                                  const Quality& quality);
+// The colors of a scene's pixels, by one of these renderers. The scene must outlive the result.
+using MakePixelColor = PixelColor (*)(const SceneDescription& scene, int width, int height,
+                                      const Quality& quality);
 
 template <Effects effects>
-DrawTile make_draw_tile(const SceneDescription& scene, int width, int height,
-                        const Quality& quality) {
-    return pixel_by_pixel(std::make_shared<const Renderer<effects>>(scene, width, height, quality));
+PixelColor make_pixel_color(const SceneDescription& scene, int width, int height,
+                            const Quality& quality) {
+    return color_by(std::make_shared<const Renderer<effects>>(scene, width, height, quality));
 }
 
 inline constexpr auto renderer_makers = []<std::size_t... number>(std::index_sequence<number...>) {
-    return std::array<MakeDrawTile, sizeof...(number)>{make_draw_tile<renderer_effects[number]>...};
+    return std::array<MakePixelColor, sizeof...(number)>{
+        make_pixel_color<renderer_effects[number]>...};
 }
 (std::make_index_sequence<renderer_effects.size()>{});
 

@@ -34,8 +34,14 @@ struct Emitter {
     Color radiance{1, 1, 1};  // each channel 0 or more; all 0 is a black sphere and no light
 };
 
-using MaterialDescription =
-    std::variant<Lambertian, Metal, Dielectric, CheckeredMatte, PictureMatte, Emitter, OwnMaterial>;
+// Metal of tiny facets. Only later chapters draw it.
+struct RoughDescription {
+    Color albedo;        // head-on, each channel in [0, 1]
+    Real roughness = 1;  // from 0.01 to 1
+};
+
+using MaterialDescription = std::variant<Lambertian, Metal, Dielectric, CheckeredMatte,
+                                         PictureMatte, Emitter, OwnMaterial, RoughDescription>;
 
 // A sphere with a map is an instance: the unit sphere, transformed by the map, a matrix. Its
 // `shape` is then a sphere that contains the result. An instance stands still and does not shine.
@@ -44,6 +50,13 @@ struct SphereDescription {
     int material = 0;    // an index into the scene's materials
     Vec3 velocity = {};  // how far it moves in a unit of time
     int map = -1;        // an index into the scene's maps; -1 for a plain sphere
+};
+
+// A picture of the whole sky, which replaces its two colors. Only later chapters draw it.
+struct SkyImage {
+    int image = 0;   // an index into the scene's images
+    Real turn = 0;   // counterclockwise, seen from above, as a share of a full turn, in [0, 1)
+    Real scale = 1;  // of its light, 0 or more
 };
 
 // The settings for a picture, unless the user asks for others.
@@ -64,6 +77,7 @@ struct SceneDescription {
     std::vector<Mat4> maps;     // from the unit sphere to the world, none singular
     std::vector<SphereDescription> spheres;
     RenderSettings settings;
+    std::optional<SkyImage> sky_image = {};
 };
 
 // Calls use(material) for every shape that is not a sphere, with the index of its material. A

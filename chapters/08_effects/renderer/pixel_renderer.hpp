@@ -1,5 +1,5 @@
 #pragma once
-// A way to draw a scene tile by tile: with the narrowest renderer that has what the scene needs.
+// A way to draw a scene pixel by pixel: with the narrowest renderer that has what the scene needs.
 
 #include <rt/draw_by_tiles.hpp>
 #include <rt/effects.hpp>
@@ -21,14 +21,14 @@ inline Choice choice_of(std::span<const rt::Effects> renderers, std::size_t inde
     return {renderers[index], "one of " + std::to_string(renderers.size())};
 }
 
-struct TileRenderer {
+struct PixelRenderer {
     Choice choice;
-    rt::DrawTile draw;  // all threads may call it at once
+    rt::PixelColor color;  // all threads may call it at once
 };
 
-// Draws pixel by pixel, and follows each path to its end, with the narrowest renderer that has
-// these effects. The scene must outlive the result.
-TileRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene, int width,
-                            int height, const rt::Quality& quality);
+// Follows each path to its end, with the narrowest renderer that has these effects. The scene must
+// outlive the result.
+PixelRenderer make_narrowest(const rt::Effects& needed, const rt::SceneDescription& scene,
+                             int width, int height, const rt::Quality& quality);
 
 }  // namespace effects
