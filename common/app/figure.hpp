@@ -58,6 +58,10 @@ class Figure {
     int columns() const { return std::max(1, columns_); }
     int rows() const { return std::max(1, rows_); }
 
+    // Where the figure's first pixel is in the image.
+    int left() const { return left_; }
+    int top() const { return top_; }
+
     // The figure's pixels, for app::fill, which sets one pixel at a time. Pixels outside of the
     // image are ignored.
     rt::Tile pixels() const { return {0, 0, columns_, rows_}; }

@@ -16,6 +16,8 @@
 #include <fstream>
 #include <locale>
 #include <rt/image_file.hpp>
+#include <rt/light_file.hpp>
+#include <rt/portable.hpp>
 #include <sstream>
 #include <study/report.hpp>
 #include <system_error>
@@ -26,6 +28,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int max_side = 65'536;
+constexpr double most_stops = 32;
+const std::string image_files = ".png, .ppm, .hdr or .pfm";
 
 // What the command line requests.
 struct Request {
@@ -95,15 +99,17 @@ std::string text_of(rt::Vec3 p) {
 // Checks before the work starts that the image can be written, so that no finished image is lost.
 void check_output(const fs::path& path) {
     const std::string name = "--out: " + path.string();
-    if (path.empty()) throw UsageError("--out: needs a file name that ends in .png or .ppm");
+    if (path.empty()) throw UsageError("--out: needs a file name that ends in " + image_files);
     std::error_code error;
     const auto status = fs::status(path, error);
     if (!fs::status_known(status)) throw Failure(name + ": " + error.message());
     if (fs::is_directory(status)) throw UsageError(name + " is a folder; name a file in it");
     const bool is_device = fs::exists(status) && !fs::is_regular_file(status);
     const std::string extension = path.extension().string();
-    if (extension != ".png" && extension != ".ppm" && !is_device)
-        throw UsageError(name + " has an unknown extension, or none; use .png or .ppm");
+    const bool is_known =
+        extension == ".png" || extension == ".ppm" || extension == ".hdr" || extension == ".pfm";
+    if (!is_known && !is_device)
+        throw UsageError(name + " has an unknown extension, or none; use " + image_files);
     const fs::path target = is_device ? path : behind_links(path);
     const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path{"."};
     if (!fs::is_directory(folder, error))
@@ -118,10 +124,15 @@ void check_output(const fs::path& path) {
                       std::strerror(errno) + "); name another one");
 }
 
+std::string encode(const Program& program, const std::string& extension, const rt::Image& image) {
+    if (extension == ".png") return rt::encode_png(image);
+    if (extension == ".hdr") return rt::encode_hdr(image);
+    if (extension == ".pfm") return rt::encode_pfm(image);
+    return program.encode_ppm ? program.encode_ppm(image) : rt::encode_ppm(image);
+}
+
 void write_image(const Program& program, const fs::path& path, const rt::Image& image) {
-    const auto encode_ppm = program.encode_ppm ? program.encode_ppm : rt::encode_ppm;
-    const std::string bytes =
-        path.extension() == ".png" ? rt::encode_png(image) : encode_ppm(image);
+    const std::string bytes = encode(program, path.extension().string(), image);
     try {
         app::replace_file(path, bytes);
     } catch (const std::system_error& error) {
@@ -177,6 +188,14 @@ void check_threads(const Program& program, const Request& request, Settings& set
                      program.name.c_str(), settings.threads, wanted);
 }
 
+// Makes the picture brighter by a factor of 2 for each stop.
+void expose(rt::Image& image, double stops) {
+    if (stops == 0) return;
+    const auto factor = static_cast<rt::Real>(rt::portable::exp2(stops));
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) image.at(x, y) *= factor;
+}
+
 // Returns the program's exit code.
 int draw_picture(const Program& program, const Request& request) {
     const fs::path path = request.out;
@@ -201,6 +220,7 @@ int draw_picture(const Program& program, const Request& request) {
     }
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
 
+    if (settings.exposure) expose(picture.image, *settings.exposure);
     const int percent = picture.stopped ? static_cast<int>(100 * picture.stopped->share_done) : 100;
     // An empty picture must not replace an older one.
     const bool keeps_older = percent == 0 && fs::is_regular_file(path, none);
@@ -308,6 +328,22 @@ void add_view(CLI::App& options, rt::View& view) {
         ->default_str(text_of(view.vertical_fov * 180 / rt::pi));
 }
 
+// Adds the option for how bright the picture's file is.
+void add_exposure(CLI::App& options, double& stops) {
+    const auto is_right = [](const std::string& text) -> std::string {
+        const std::optional<double> number = number_in(text);
+        if (number && std::abs(*number) <= most_stops) return {};
+        return '\'' + text + "' is not a number of stops from -32 to 32";
+    };
+    options
+        .add_option_function<std::string>(
+            "--exposure", [&stops](const std::string& text) { stops = *number_in(text); },
+            "Brightness: each stop doubles the light, or halves it if negative")
+        ->check(CLI::Validator{is_right, "", "stops"})
+        ->type_name("STOPS")
+        ->default_str("0");
+}
+
 // Rejects everything except the words that --show knows in this program.
 CLI::Validator shown_word(const std::vector<std::string>& known) {
     std::string list;
@@ -325,9 +361,11 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
     Settings& settings = request.settings;
     options.set_help_flag("--help", "Show this help and exit");
     options.footer(exit_codes(program) + (program.others.empty() ? "" : "\n" + program.others));
-    options.add_option("--out", request.out, "The image file, .png or .ppm")->capture_default_str();
+    options.add_option("--out", request.out, "The image file, " + image_files)
+        ->capture_default_str();
     add_numbers(options, settings);
     if (settings.view) add_view(options, *settings.view);
+    if (settings.exposure) add_exposure(options, *settings.exposure);
     for (const auto& [name, about, words] : program.choices) {
         settings.choices[name] = words.front();
         options.add_option("--" + name, settings.choices[name], about)
@@ -371,6 +409,8 @@ void add_options(CLI::App& options, Request& request, const Program& program) {
 void check_together(const Settings& settings) {
     if (settings.given.count("file") > 0 && settings.file.empty())
         throw UsageError("file: needs a name");
+    if (!settings.show.empty() && settings.given.count("exposure") > 0)
+        throw UsageError("--show and --exposure exclude each other: false colors are not light");
     if (settings.view && settings.view->from == settings.view->at)
         throw UsageError("--from and --at are both " + text_of(settings.view->at) +
                          ": the camera needs two different points to know where it looks");
@@ -427,12 +467,20 @@ int run_or_throw(int argc, const char* const* argv, const Program& program) {
 }  // namespace
 
 Progress::~Progress() {
-    if (visible_ && steps_ > 0) std::fputs("\r\033[K", stderr);
+    if (visible_ && (steps_ > 0 || has_said_)) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::say(const std::string& what) {
+    if (!visible_) return;
+    std::fprintf(stderr, "\r\033[K%s", what.c_str());
+    std::fflush(stderr);
+    has_said_ = true;
 }
 
 void Progress::start(int steps) {
     done_ = 0;
     steps_ = steps;
+    if (has_said_) say("");
 }
 
 void Progress::step() {
@@ -456,6 +504,8 @@ std::string describe(const Program& program) {
     std::map<std::string, std::string> defaults;
     for (const CLI::Option* const option : options.get_options())
         defaults[option->get_single_name()] = option->get_default_str();
+    for (const std::string& word : program.shows)
+        defaults["show"] += (defaults["show"].empty() ? "" : " ") + word;
     return to_json(defaults);
 }
 

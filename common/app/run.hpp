@@ -40,6 +40,9 @@ struct Settings {
     std::string show = {};
     // The values given for Program::numbers, by name.
     std::map<std::string, double> numbers = {};
+    // How much brighter the picture's file is than the light, in stops: each doubles it. None if
+    // the program has no --exposure.
+    std::optional<double> exposure = {};
     // The file that the program was given to read; empty if none.
     std::string file = {};
     // The options that were given, without the dashes: they take precedence over what a file says.
@@ -83,9 +86,12 @@ class Progress {
     // Sets the number of steps (rows, tiles); the bar starts at zero.
     void start(int steps);
     void step();
+    // Says what is being done before the first step, such as "reading pot.obj"; the next words, or
+    // the bar, take its place.
+    void say(const std::string& what);
 
   private:
-    bool visible_;
+    bool visible_, has_said_ = false;
     std::atomic<int> steps_ = 0, done_ = 0;
 };
 
@@ -142,7 +148,8 @@ int run(int argc, const char* const* argv, const Program& program);
 void write_study(const study::Report& report, const std::filesystem::path& folder);
 
 // What the hidden option --describe prints for other programs that run this one: the options of
-// this program, each with its default, as a JSON object whose values are texts.
+// this program, each with its default, as a JSON object whose values are texts. --show has no
+// default: its value is the words that it accepts.
 std::string describe(const Program& program);
 
 // Draws an image row by row: calls shade(x, y) for each pixel, and advances the progress with each

@@ -44,7 +44,7 @@ BuildResult build_in_turn(const Course& course, const std::vector<std::string>& 
     const Result result = run_process(
         {.command = command, .most_cpu = most_compiling, .most_memory = memory_of_compiler()});
     note_built(course);
-    return {result.ok(), printable(result.output, most_words)};
+    return {result.ok(), printable(result.output, most_words), result.cpu_seconds};
 }
 
 void must_build(const Course& course, const std::string& target) {

@@ -9,7 +9,8 @@ namespace companion {
 
 struct BuildResult {
     bool ok = false;
-    std::string output;  // everything that the build printed
+    std::string output;      // everything that the build printed
+    double cpu_seconds = 0;  // of processor time
 };
 
 // Builds targets in one run of the build tool; if one target fails, the others are still built.

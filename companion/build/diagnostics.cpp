@@ -27,6 +27,11 @@ bool is_origin(const std::string& line) {
                             line.compare(start, 13, "inlined from ") == 0;
 }
 
+// Whether a line has the + or - of a diff. clang++ 14 shows source as it is, without a number.
+bool is_marked(const std::string& line) {
+    return line.rfind('+', 0) == 0 || line.rfind('-', 0) == 0;
+}
+
 // The message that begins in this line; without a kind if none does.
 Diagnostic header_in(const std::string& line) {
     if (line.rfind(' ', 0) == 0) return {};  // source
@@ -128,13 +133,16 @@ std::string named_header(const Diagnostic& error) {
 
 // The error, and what to do about it as far as that is known.
 std::string with_remedy(const Course& course, const std::vector<Diagnostic>& all,
-                        const Diagnostic& error) {
+                        Diagnostic error) {
     std::string remedy = ended_loop(all, error);
     if (remedy.empty()) remedy = named_header(error);
     if (remedy.empty()) {
         remedy = missing_include(course, error.text());
         if (!remedy.empty()) remedy.insert(0, "\n  ");
     }
+    // The compiler guesses at 'wcwidth' for 'width'.
+    if (!remedy.empty())
+        error.what.erase(std::min(error.what.find("; did you mean"), error.what.size()));
     return error.text() + missing_semicolon(course, error) + remedy;
 }
 
@@ -202,7 +210,7 @@ std::vector<Diagnostic> read_diagnostics(const Course& course, const std::string
         } else if (is_origin(line)) {
             from.push_back(line);
             last = nullptr;
-        } else if (line.rfind(' ', 0) == 0) {
+        } else if (line.rfind(' ', 0) == 0 || is_marked(line)) {
             if (last) last->source.push_back(line);
         } else {
             last = nullptr;

@@ -2,8 +2,8 @@
 #include <companion/build/side_build.hpp>
 #include <companion/check/cases.hpp>
 #include <companion/system/platform.hpp>
+#include <companion/system/secret.hpp>
 #include <cstdio>
-#include <random>
 
 namespace companion {
 namespace {
@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{16} << 20, most_memory = std::size_t{2} << 30;
 
 // Why a program crashed, given the test case in which it crashed, if that is known.
-std::string cause_of(const Result& result, const TestCase* test) {
+std::string cause_of(const Result& result, const TestCase* test, bool may_have_threads) {
     const std::string memory = test ? test->memory : "";
     switch (crash_of(result.signal)) {
         case Crash::memory:
@@ -34,9 +34,12 @@ std::string cause_of(const Result& result, const TestCase* test) {
                 return "it dereferenced an empty unique_ptr";
             if (result.output.find("size()' failed") != std::string::npos)
                 return "an index is out of range: the first is 0, and the last is size() - 1";
-            return "it was aborted: an index is out of range, an empty std::optional has no value, "
-                   "memory was freed twice, a std::thread was destroyed before it was joined, or "
-                   "an exception left a thread or a function that must not throw";
+            return std::string{
+                       "it was aborted: an index is out of range, an empty std::optional "
+                       "has no value, memory was freed twice, "} +
+                   (may_have_threads ? "a std::thread was destroyed before it was joined, or an "
+                                       "exception left a thread or a function that must not throw"
+                                     : "or an exception left a function that must not throw");
         case Crash::invalid_code:
             return "it executed invalid code: is a return statement missing?";
         case Crash::none:
@@ -62,14 +65,6 @@ bool asks_for(const Cases& cases, const TestCase& test) {
            !std::count(cases.without.begin(), cases.without.end(), test.name);
 }
 
-// A word that the tested code cannot guess.
-std::string new_secret() {
-    std::random_device random;
-    char word[33];
-    std::snprintf(word, sizeof word, "%08x%08x%08x%08x", random(), random(), random(), random());
-    return word;
-}
-
 // Whether each test case that was asked for ran to its end, once.
 bool is_complete(const Cases& cases, const Report& report) {
     if (report.exited || report.compiled.empty()) return false;
@@ -83,6 +78,10 @@ bool is_complete(const Cases& cases, const Report& report) {
 }
 
 }  // namespace
+
+bool knows_threads(const std::string& exercise) {
+    return exercise >= "06";
+}
 
 const TestCase* Tested::ended_in() const {
     const auto found = std::find_if(tests.begin(), tests.end(),
@@ -98,7 +97,8 @@ std::string Tested::trouble() const {
         return std::string{"it "} + what + " for " + std::to_string(seconds) +
                " s without finishing";
     }
-    return was_stopped() ? how_it_ended(result) : cause_of(result, ended_in());
+    return was_stopped() ? how_it_ended(result)
+                         : cause_of(result, ended_in(), knows_threads(exercise));
 }
 
 fs::path yours_folder(const Course& course, bool in_float) {
@@ -131,7 +131,8 @@ Tested run_cases(const Course& course, const Cases& cases) {
     // Sanitizers reserve terabytes of address space.
     const bool is_sanitized = !cached(course, "RT_SANITIZE").empty();
     const std::string secret = new_secret();
-    Tested tested{run_process({.command = command_of(course, cases, secret),
+    Tested tested{cases.exercise,
+                  run_process({.command = command_of(course, cases, secret),
                                .folder = course.build,
                                .output = Output::captured,
                                .has_events = true,

@@ -7,8 +7,12 @@
 
 namespace companion {
 
+// Whether a learner at this exercise has met threads, which come with chapter 06.
+bool knows_threads(const std::string& exercise);
+
 // One run of an exercise's program of test cases.
 struct Tested {
+    std::string exercise;
     Result result;
     std::vector<TestCase> tests;
     bool left_early = false;  // it ended by itself before all test cases had ended
@@ -22,9 +26,10 @@ struct Tested {
         return ended_in() && (ended_in()->computed > 0 || ended_in()->waited > 0);
     }
     bool was_stopped() const { return result.timed_out || result.too_much || got_no_further(); }
+    // Whether it waited for something. A loop computes, however little a busy machine lets it.
     bool waited() const {
         return (ended_in() && ended_in()->waited > 0) ||
-               (result.timed_out && 2 * result.cpu_seconds < result.seconds);
+               (result.timed_out && 20 * result.cpu_seconds < result.seconds);
     }
     bool crashed() const { return ended_in() || result.signal != 0; }
     // What ended the program, in words for the learner.

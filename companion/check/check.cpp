@@ -3,7 +3,9 @@
 #include <companion/build/build.hpp>
 #include <companion/build/diagnostics.hpp>
 #include <companion/check/check.hpp>
+#include <companion/check/dropped_fraction.hpp>
 #include <companion/model/state.hpp>
+#include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
 #include <ctime>
 #include <set>
@@ -259,6 +261,10 @@ std::vector<Checked> check_exercises(const Course& course, const std::vector<Exe
             known->second.hash == hashes[static_cast<std::size_t>(&checked - all.data())])
             checked.warning = known->second.warning;
         if (!checked.is<NotCompiled>()) checked.verdict = run_tests(course, checked);
+        for (const fs::path& file : checked.exercise.files)
+            if (const std::string found = dropped_fraction(read_file(course.root / file));
+                checked.slip.empty() && !found.empty())
+                checked.slip = file.generic_string() + ':' + found;
     });
     tell(all);
     check_in_float(course, all);

@@ -74,6 +74,7 @@ struct Checked {
     bool in_float = false;  // the verdict is on the float build; the double build passed
     bool is_built = false;  // in every precision that is checked
     std::string warning{};  // the compiler's warning about the exercise's files
+    std::string slip{};  // what no compiler warns of, "file:line: what": see dropped_fraction.hpp
 
     // What is known of an answer that passed; null for any other.
     const Passed* passed() const { return std::get_if<Passed>(&verdict); }

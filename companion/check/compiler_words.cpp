@@ -17,7 +17,21 @@ struct Habit {
     const char* words;
 };
 
+constexpr const char* several_results =
+    "To give names to several results, write `const auto [x, y] = f();`.";
+
 const Habit habits[]{
+    {"", "^(\\s*\\d+ \\| )?[+-](?![+-])",
+     "In a text, a `+` before a line marks it as new, and a `-` as one to delete: do not type "
+     "them."},
+    {"was not declared|undeclared|expected|cannot convert|could not convert|no viable|incompatible",
+     "^[\\s\\d|]*(auto )?(\\(\\w+, \\w+\\)|\\[\\w+, \\w+\\]|\\w+, \\w+) = [\\w:.]+\\(",
+     several_results},
+    {"cannot convert|could not convert|no viable conversion|initializer|uninitialized const",
+     "^[\\s\\d|]*(const )?(auto|Real|double|float|int) \\w+, \\w+ = [\\w:.]+\\(", several_results},
+    {"", "\\b(lock_guard|scoped_lock|unique_lock)(<[\\w:]*>)?[({]",
+     "The lock needs a name, as in `const std::lock_guard lock{mutex};`. Without a name, the mutex "
+     "is free again before the next line."},
     {"discards qualifiers|would lose const|invalid constructor|copy constructor must",
      "\\b(\\w+)\\(\\1 ?&? ?\\w*\\)",
      "A copy constructor takes `const Canvas& other`, with the name of your class: a reference, "
@@ -80,6 +94,8 @@ const Habit habits[]{
      "emplace_back\\(\\w+\\(",
      "This calls the function at once. Give the thread a function that it can call itself: "
      "`[&work, worker] { work(worker); }`."},
+    {"of non-class type|is not a structure or union", "\\.(fetch_add|load|store)\\(",
+     "A plain number has no such member: declare it as `std::atomic<int>`."},
     {"", "\\.push_back\\( ?\\[",
      "emplace_back makes the thread itself and needs only the function: "
      "`threads.emplace_back([...] { ... });`."},
@@ -159,7 +175,10 @@ const Meaning meanings[]{
      "always executed. Delete it."},
     {"disambiguated as a function declaration",
      "Empty parentheses declare a function here. To make a variable, write braces with its "
-     "values: `JoinGuard guard{threads};`."},
+     "values: `Name name{value};`."},
+    {"unnecessary parentheses in declaration|disambiguated as redundant parentheses",
+     "This declares a variable with the name in the parentheses. If that should be its value, give "
+     "the variable a name: `Name name{value};`."},
     {"wrong number of template arguments|too (few|many) template arguments",
      "This name takes a different number of types in `<...>`: compare with its declaration."},
     {"std::thread arguments must be invocable",
@@ -236,8 +255,8 @@ const Meaning meanings[]{
     {"operand of .->. has non-pointer type|member reference type .* is not a pointer",
      "This is not a pointer: write `name.member`."},
     {"of non-class type|is not a structure or union",
-     "The value before the dot has no members: is it a plain number that should have another type, "
-     "such as `std::atomic<int>`, or are parentheses missing where it is made?"},
+     "The value before the dot has no members: should it have another type than a plain number, or "
+     "are parentheses missing where it is made?"},
     {"unary .\\*|indirection requires pointer",
      "Only a pointer or a std::optional has a value behind it: without the `*`, this is the "
      "value."},
@@ -269,7 +288,7 @@ const Meaning meanings[]{
      "A mask and a pack of numbers cannot be combined. `&` and `|` combine two masks, and "
      "`mask ? a : b` chooses between two packs."},
     {"result type must be constructible|construct_at",
-     "This would copy a value that cannot be copied, such as a unique_ptr or a std::thread: start "
+     "This would copy a value that cannot be copied, such as a unique_ptr: start "
      "with an empty vector, and call `push_back(std::move(value))`."},
     {"push_back.*unique_ptr",
      "The vector holds plain pointers: `.get()` gives the plain pointer that a unique_ptr holds."},
@@ -351,6 +370,9 @@ const Meaning meanings[]{
      "Within braces, no conversion is allowed to lose digits: convert the value yourself, as in "
      "Real(n) or "
      "static_cast<int>(x)."},
+    {"return-statement with no value|should return a value",
+     "`return;` ends a function without a result, but this one has one. For no value of a "
+     "std::optional, write `return {};`."},
     {"no return statement|non-void function|control reaches end",
      "The function can reach its end without a return statement; it then returns garbage or "
      "crashes."},
@@ -378,7 +400,7 @@ const Meaning meanings[]{
 std::string plain_words(const std::string& error) {
     // What to do is known: see first_error().
     if (error.find("\n  add #include <") != std::string::npos ||
-        error.find("\n  write `using namespace rt;`") != std::string::npos)
+        error.find("\n  write `") != std::string::npos)
         return "";
     // With some language settings, compilers use other quotes.
     const std::string first_line =

@@ -69,6 +69,14 @@ void make(const Course& course, const Exercise& exercise, const Remake& remake,
     answer.build = remake(answer.folder, answer.folder / answer_file(exercise));
 }
 
+// The mistakes that the learner's answer can contain, the likeliest first.
+std::vector<Mistake> likely_in_answer(const Course& course, const Exercise& exercise,
+                                      const std::vector<TestCase>& tests) {
+    std::string code;
+    for (const fs::path& one : exercise.files) code += code_of(read_file(course.root / one));
+    return likely_mistakes(mistakes_of(course, exercise), tests, code);
+}
+
 void keep_common(std::set<std::string>& kept, const std::set<std::string>& other) {
     std::erase_if(kept, [&](const std::string& hash) { return !other.count(hash); });
 }
@@ -167,15 +175,25 @@ std::vector<Mistake> mistakes_without_signature(const Course& course, const Exer
     return all;
 }
 
+std::string most_telling(const Course& course, const Exercise& exercise,
+                         const std::vector<TestCase>& tests) {
+    const Signature signature = signature_of(tests);
+    if (signature.where.empty()) return "";
+    const Signatures known = known_signatures(course, exercise, version_of(course, exercise));
+    for (const Mistake& mistake : likely_in_answer(course, exercise, tests))
+        if (const auto found = known.find(mistake.name);
+            found != known.end() && found->second == signature)
+            return mistake.caught_by;
+    return "";
+}
+
 void tell_what_it_looks_like(const Course& course, const Exercise& exercise,
                              const std::vector<TestCase>& tests,
                              const std::function<void(const Mistake&, Joins)>& tell,
                              const std::function<bool()>& is_over) {
     const Signature signature = signature_of(tests);
     if (signature.where.empty()) return;
-    std::string code;
-    for (const fs::path& one : exercise.files) code += code_of(read_file(course.root / one));
-    const std::vector<Mistake> likely = likely_mistakes(mistakes_of(course, exercise), tests, code);
+    const std::vector<Mistake> likely = likely_in_answer(course, exercise, tests);
     const Signatures before = known_signatures(course, exercise, version_of(course, exercise));
     Signatures known;  // of the likely ones
     std::set<std::string> told;

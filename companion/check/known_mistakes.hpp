@@ -49,6 +49,11 @@ void find_signatures(const Course& course, const Exercise& exercise,
 // The known mistakes of an exercise of which the build folder does not yet say what fails.
 std::vector<Mistake> mistakes_without_signature(const Course& course, const Exercise& exercise);
 
+// The test case that tells most about an answer: the one that is meant to catch the mistake in
+// which the same fails. Empty if that is not known without making the mistakes.
+std::string most_telling(const Course& course, const Exercise& exercise,
+                         const std::vector<TestCase>& tests);
+
 // How a mistake's name follows the names before it: "This looks like: A", "or like: B" for one with
 // the same signature, "and like: C" if two mistakes were made at once.
 enum class Joins { first, as_or, as_and };

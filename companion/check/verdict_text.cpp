@@ -211,9 +211,11 @@ std::string before_that(const std::string& failing) {
     return failing.empty() ? "" : "\nBefore that, this failed:\n" + failing;
 }
 
-// The test cases of the core that fail: the first one in full detail, the others by name. Stars can
-// wait until the core passes.
-std::string failing_cases(const std::vector<TestCase>& tests) {
+// The test cases of the core that fail: one in full detail, the one with the name `first` or else
+// the first, and the others by name. Stars can wait until the core passes.
+std::string failing_cases(std::vector<TestCase> tests, const std::string& first = "") {
+    std::stable_partition(tests.begin(), tests.end(),
+                          [&](const TestCase& test) { return test.name == first; });
     std::string text, others;
     for (const TestCase& test : tests) {
         if (test.hard || test.passed || !missing_exercise(test).empty()) continue;
@@ -239,10 +241,13 @@ std::string in_plain_words(const std::string& message) {
 }
 
 std::string warned(const Checked& checked) {
-    return checked.warning.empty()
-               ? ""
-               : "\n  " + yellow("The compiler warned:") + '\n' + wrapped(checked.warning, "    ") +
-                     in_plain_words(checked.warning);
+    std::string text;
+    if (!checked.warning.empty())
+        text += "\n  " + yellow("The compiler warned:") + '\n' + wrapped(checked.warning, "    ") +
+                in_plain_words(checked.warning);
+    if (!checked.slip.empty())
+        text += "\n  " + yellow("Look at this line:") + '\n' + wrapped(checked.slip, "    ");
+    return text;
 }
 
 // What ended the program, and in which test case.
@@ -259,7 +264,7 @@ std::string how_to_find_the_line(const Exercise& exercise) {
     return "  To find the line:  ./course check " + exercise.id + " --sanitize\n";
 }
 
-std::string what_is_wrong(const Checked& checked) {
+std::string what_is_wrong(const Checked& checked, const std::string& telling) {
     return std::visit(
         Kinds{[](const Passed&) { return std::string{}; },
               [](const NoFile& no_file) { return red(no_file.trouble) + '\n'; },
@@ -282,7 +287,7 @@ std::string what_is_wrong(const Checked& checked) {
               },
               [&](const Endless& endless) {
                   return "It was stopped: " + endless.cause + where(endless.tests) +
-                         (endless.waits
+                         (endless.waits && knows_threads(checked.exercise.id)
                               ? "\n  Does it wait for a lock that is never released, or for a "
                                 "thread that never ends?\n"
                               : "\n  Which loop or recursion never ends?\n") +
@@ -304,7 +309,7 @@ std::string what_is_wrong(const Checked& checked) {
                                    "is a constant or a tolerance\nright only for double?\n"
                                  : ""} +
                          '\n' +
-                         (failing.reason.empty() ? failing_cases(failing.tests)
+                         (failing.reason.empty() ? failing_cases(failing.tests, telling)
                                                  : wrapped(failing.reason, "  ")) +
                          warned(checked);
               }},
@@ -334,12 +339,12 @@ std::string float_lines(const std::vector<Checked>& all, const std::string& star
     return lines;
 }
 
-std::string details(const Checked& checked) {
+std::string details(const Checked& checked, const std::string& telling) {
     const Exercise& exercise = checked.exercise;
-    if (checked.is<NoFile>()) return what_is_wrong(checked);
+    if (checked.is<NoFile>()) return what_is_wrong(checked, telling);
     const std::string head =
         bold(exercise.id + ' ' + exercise.title) + ", " + exercise.file_list() + "\n";
-    return checked.passed() ? head : head + what_is_wrong(checked);
+    return checked.passed() ? head : head + what_is_wrong(checked, telling);
 }
 
 std::string looks_like(const Mistake& mistake, Joins joins) {

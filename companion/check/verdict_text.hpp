@@ -14,8 +14,9 @@ std::string summary_line(const Checked& checked, const std::string& stars_comman
 // The lines for those exercises in which the check in float found something.
 std::string float_lines(const std::vector<Checked>& all, const std::string& stars_command = "");
 
-// What is wrong with an answer that does not pass: expected and actual values. Several lines.
-std::string details(const Checked& checked);
+// What is wrong with an answer that does not pass: expected and actual values. Several lines. Of
+// several test cases that fail, the one named `telling` is shown, or else the first.
+std::string details(const Checked& checked, const std::string& telling = "");
 
 // For an exercise whose core passes: its open stars, and the compiler's warning. Empty if no star
 // is open.

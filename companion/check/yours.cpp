@@ -63,7 +63,7 @@ Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
     for (const std::string& id : except) progress[id] = Progress::to_write;
     const auto wrong = [&](const Exercise& exercise) {
         const Progress here = progress.at(exercise.id);
-        return failing_too && (here == Progress::begun || here == Progress::failing);
+        return here == Progress::begun || here == Progress::failing;
     };
     std::map<fs::path, bool> is_yours;
     for (const Exercise& exercise : all)
@@ -71,7 +71,7 @@ Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
             is_yours[file] =
                 passes(progress.at(exercise.id)) && (!is_yours.count(file) || is_yours[file]);
     for (const Exercise& exercise : all)
-        if (wrong(exercise))
+        if (failing_too && wrong(exercise))
             for (const fs::path& file : exercise.files) is_yours[file] = true;
     Yours yours;
     for (const Exercise& exercise : all) {
@@ -83,21 +83,21 @@ Yours put_in_place(const Course& course, const Chapter& last, bool failing_too,
                 yours.may_differ[exercise.id] = "has several right answers";
             else if (progress.at(exercise.id) == Progress::core)
                 yours.may_differ[exercise.id] = "has open stars";
-        } else if (wrong(exercise))
+        } else if (failing_too && wrong(exercise))
             yours.failing.push_back(exercise.id);
         else if (uses && failing_too)
             yours.unwritten.push_back(exercise.id);
-        else
+        else {
             yours.others.push_back(exercise.id);
+            if (wrong(exercise)) yours.replaced.push_back(exercise.id);
+        }
     }
     app::make_folder(course.build / "yours/rt");
     for (const auto& [file, mine] : is_yours) {
         if (mine) yours.files.push_back(file);
         const fs::path source =
             mine ? file : fs::path{"solutions"} / file.lexically_relative("exercises");
-        // Then compiler messages name the file that the learner knows.
-        const std::string text = "#line 1 \"" + (course.root / source).generic_string() + "\"\n" +
-                                 read_file(course.root / source);
+        const std::string text = text_with_origin(course, source);
         const fs::path target = course.build / "yours/rt" / file.filename();
         // An unchanged file is not written again, so that it is not compiled again.
         if (!fs::exists(target) || read_file(target) != text) app::replace_file(target, text);
@@ -128,10 +128,17 @@ std::string Yours::words() const {
             text += " Still to be written: " + ranges(unwritten, joined(rest, failing)) + '.';
         return text;
     }
-    if (passing.empty()) return "None of the code is yours yet: it is all the solution's.";
     if (others.empty()) return "All of the code is yours.";
-    return "Yours: " + ranges(passing, others) + ". The solution's: " + ranges(others, passing) +
-           '.';
+    std::string text = passing.empty() ? "None of the code is yours yet: it is all the solution's."
+                                       : "Yours: " + ranges(passing, others) +
+                                             ". The solution's: " + ranges(others, passing) + '.';
+    if (replaced.empty()) return text;
+    std::vector<std::string> rest = joined(passing, others);
+    std::erase_if(rest, [&](const std::string& id) {
+        return std::count(replaced.begin(), replaced.end(), id) > 0;
+    });
+    return text + " It stands in for " + ranges(replaced, rest) + ", which " +
+           (replaced.size() == 1 ? "does" : "do") + " not pass yet.";
 }
 
 std::string Yours::caption() const {
@@ -139,6 +146,11 @@ std::string Yours::caption() const {
     if (others.empty()) return "Drawn by its author's code.";
     return "Drawn by its author's code for " + ranges(passing, others) +
            ", and by the course's for " + ranges(others, passing) + '.';
+}
+
+std::string text_with_origin(const Course& course, const fs::path& file) {
+    const fs::path origin = course.root / file;
+    return "#line 1 \"" + origin.generic_string() + "\"\n" + read_file(origin);
 }
 
 void check_what_changed(const Course& course, const Chapter& last) {

@@ -110,8 +110,8 @@ class Examination {
     // The verdict on the learner's own program. If it passed before, it is judged once more, on
     // different scenes.
     void judge_own_again() {
-        const auto rungs = chapter_of_rungs(course_);
-        if (!rungs) return;
+        const auto task = chapter_of_task(course_);
+        if (!task) return;
         OwnRecord own = read_state(course_).own;
         if (own_passes(own)) {
             print("Judging your own ray tracer again takes a few minutes.\n");
@@ -120,9 +120,9 @@ class Examination {
             judge_own(course_, own.folder, scenes_seed({}), "", lines);
             own = read_state(course_).own;
         }
-        note(own_passes(own), rungs->number(), "a ray tracer from an empty folder, judged",
-             standing_of(own), "rungs 1 to 6 pass");
-        note(own_stars_pass(own), rungs->number(), "the rest of its verdict", standing_of(own),
+        note(own_passes(own), task->number(), "a ray tracer from an empty folder, judged",
+             standing_of(own), "steps 1 to 6 pass");
+        note(own_stars_pass(own), task->number(), "the rest of its verdict", standing_of(own),
              "every line passes", true);
     }
 

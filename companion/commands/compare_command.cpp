@@ -11,7 +11,7 @@ namespace companion {
 
 int compare(const Course& course, const Given& given) try {
     const Chapter chapter = find_chapter(course, *given.named);
-    const ComparedPicture picture = compare_picture(course, chapter);
+    const ComparedPicture picture = compare_picture(course, chapter, given.has("--mine"));
     auto words = picture.found.words();
     // If the answer is right, say only where it differs: "too dark" would call it wrong.
     if (!picture.excused.empty()) {
@@ -20,6 +20,9 @@ int compare(const Course& course, const Given& given) try {
             words.push_back("Where: " + regions + '.');
     }
     std::printf("%s\n", picture.yours.words().c_str());
+    if (!picture.yours.replaced.empty())
+        std::printf("With your code as it is: ./course compare %s --mine\n",
+                    chapter.number().c_str());
     std::printf("%s: %s\n", chapter.name.c_str(), words[0].c_str());
     for (std::size_t i = 1; i < words.size(); ++i) std::printf("  %s\n", words[i].c_str());
     app::make_folder(course.out());

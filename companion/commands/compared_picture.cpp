@@ -47,12 +47,26 @@ std::vector<std::string> explained(const Course& course, const Chapter& chapter,
 
 }  // namespace
 
-ComparedPicture compare_picture(const Course& course, const Chapter& chapter) {
-    ComparedPicture picture{put_yours_in_place(course, chapter), {}, {}};
+ComparedPicture compare_picture(const Course& course, const Chapter& chapter, bool all_yours) {
+    ComparedPicture picture{
+        all_yours ? put_all_yours_in_place(course, chapter) : put_yours_in_place(course, chapter),
+        {},
+        {}};
     must_build(course, chapter.name + "_solution");
     picture.found = compared(course, chapter);
-    if (!picture.found.same) picture.excused = explained(course, chapter, picture.yours);
+    if (!picture.found.same && picture.yours.failing.empty())
+        picture.excused = explained(course, chapter, picture.yours);
     return picture;
+}
+
+std::string compared_in_one_line(const Course& course, const Chapter& chapter, const Yours& yours) {
+    if (yours.files.empty()) return {};
+    must_build(course, chapter.name + "_solution");
+    const Comparison found = compared(course, chapter);
+    const std::string verdict = chapter.name + ": " + found.words()[0];
+    if (found.same) return verdict;
+    return verdict + (yours.may_differ.empty() ? " Where: " : " Where, and whether it may: ") +
+           "./course compare " + chapter.number() + (yours.failing.empty() ? "" : " --mine");
 }
 
 }  // namespace companion

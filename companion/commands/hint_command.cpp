@@ -1,10 +1,7 @@
-#include <algorithm>
 #include <app/errors.hpp>
 #include <companion/commands/commands.hpp>
 #include <companion/model/exercise.hpp>
 #include <companion/model/hints.hpp>
-#include <companion/model/progress.hpp>
-#include <companion/model/state.hpp>
 #include <companion/own/tracer.hpp>
 #include <companion/system/terminal.hpp>
 #include <cstdio>
@@ -20,39 +17,21 @@ std::string solution_of(const Exercise& exercise) {
     return files;
 }
 
-// Removes Markdown's code marks, which a terminal does not need.
-std::string words_of(std::string hint) {
-    std::erase(hint, '`');
-    return hint;
-}
-
-// Counts a hint, and returns the number of the one that is due, from 0 on; `most` if there are no
-// more.
-int due(const Course& course, const std::string& id, std::size_t most) {
-    int number = 0;
-    change_state(course, [&](State& state) {
-        int& shown = state.exercises[id].hints;
-        number = std::clamp(shown, 0, static_cast<int>(most));
-        shown = std::min(number + 1, static_cast<int>(most));
-    });
-    return number;
-}
-
 void print_hint(const std::string& title, int number, std::size_t most, const std::string& words) {
     std::printf("%s\n%s\n",
                 bold(title + ", hint " + std::to_string(number + 1) + " of " + std::to_string(most))
                     .c_str(),
-                words_of(words).c_str());
+                words.c_str());
 }
 
 int hint_for_graft(const Course& course) {
     const Chapter chapter = next_graft(course).chapter;
     const std::string id = "graft " + chapter.number();
     const std::vector<std::string> all = hints_of_graft(course, chapter);
-    const int number = due(course, id, all.size());
+    const int number = due_hint(course, id, all.size());
     if (number < static_cast<int>(all.size()))
         print_hint(id + ", " + chapter.graft->title, number, all.size(),
-                   all[static_cast<std::size_t>(number)]);
+                   plain_hint(all[static_cast<std::size_t>(number)]));
     else
         print(wrapped("There are no more hints for " + id + ": all of them are in " +
                           chapter.hints.generic_string() + ". Read " +
@@ -68,27 +47,23 @@ int hint_for_graft(const Course& course) {
 int hint(const Course& course, const Given& given) {
     if (given.named == "tracer") return hint_for_graft(course);
     const Exercise exercise = find_exercise(course, *given.named);
-    const std::vector<std::string> all = hints(course, exercise);
+    const std::vector<std::string> all = hints_in_view(course, exercise);
     if (all.empty())
         throw app::Failure("there are no hints for " + exercise.id + "; read " +
                            exercise.section());
-    const int number = due(course, exercise.id, all.size());
-    // A star's hints are not shown until the core passes.
-    const bool stars =
-        exercise.is_star() || passes(progress_of(course, read_state(course), exercise));
+    const int number = due_hint(course, exercise.id, all.size());
     if (number >= static_cast<int>(all.size())) {
         for (const std::string& hint : all)
-            if (const std::string star = parts_of(hint).star; stars && !star.empty())
-                std::printf("%s\n", words_of(star).c_str());
+            if (const std::string star = parts_of(hint).star; !star.empty())
+                std::printf("%s\n", plain_hint(star).c_str());
         print(wrapped("There are no more hints for " + exercise.id + ": all three are in " +
                           exercise.chapter.hints.generic_string() + ". Read " + exercise.section() +
                           " again. The solution is in " + solution_of(exercise) + '.',
                       ""));
         return app::done;
     }
-    const std::string& words = all[static_cast<std::size_t>(number)];
     print_hint(exercise.id + ' ' + exercise.title, number, all.size(),
-               stars ? words : parts_of(words).core);
+               plain_hint(all[static_cast<std::size_t>(number)]));
     return app::done;
 }
 

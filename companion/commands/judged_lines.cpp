@@ -15,7 +15,7 @@
 namespace companion {
 namespace {
 
-// "rung 9: --list draws the same bytes" as "rung_9_list_draws_the_same_bytes".
+// "step 9: --list draws the same bytes" as "step_9_list_draws_the_same_bytes".
 std::string folder_of(const std::string& line) {
     std::string name;
     for (const char c : line)

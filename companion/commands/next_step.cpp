@@ -20,9 +20,9 @@ std::string electives_left(const Course& course) {
     return text;
 }
 
-// The next step when every exercise passes: the chapter of rungs, then the certificate.
+// The next step when every exercise passes: the chapter with a task, then the certificate.
 std::string step_after_the_exercises(const Course& course) {
-    if (!chapter_of_rungs(course) || own_passes(read_state(course).own))
+    if (!chapter_of_task(course) || own_passes(read_state(course).own))
         return "The last step: ./course certify\n" + electives_left(course);
     return next_of_own(course);
 }
@@ -30,11 +30,11 @@ std::string step_after_the_exercises(const Course& course) {
 }  // namespace
 
 std::string next_of_own(const Course& course) {
-    const auto rungs = chapter_of_rungs(course);
+    const auto task = chapter_of_task(course);
     const OwnRecord own = read_state(course).own;
     const std::string folder = own.folder.empty() ? "FOLDER" : own.folder;
-    return "Next: " + bold(rungs->number() + ' ' + rungs->title) + ", about " +
-           std::to_string(rungs->minutes) + " minutes\n  read   " + rungs->text.string() + '\n' +
+    return "Next: " + bold(task->number() + ' ' + task->title) + ", about " +
+           std::to_string(task->minutes) + " minutes\n  read   " + task->text.string() + '\n' +
            (own.folder.empty() ? "  begin  ./course own new FOLDER\n" : "") +
            "  check  ./course own judge " + folder + '\n';
 }

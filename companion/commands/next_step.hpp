@@ -11,7 +11,7 @@ namespace companion {
 std::string next_step(const Course& course, const std::optional<Step>& next);
 std::string next_step(const Course& course, const Exercise& next);
 
-// The next step in the chapter of rungs, which the course has.
+// The next step in the chapter with a task, which the course has.
 std::string next_of_own(const Course& course);
 
 // What to say when the core of a chapter is done.

@@ -11,16 +11,16 @@
 namespace companion {
 namespace {
 
-// The part that --rung or --part asks for; empty means everything.
+// The part that --step or --part asks for; empty means everything.
 std::string asked_part(const Given& given) {
-    const bool is_rung = given.has("--rung");
-    if (!is_rung && !given.has("--part")) return "";
+    const bool is_step = given.has("--step");
+    if (!is_step && !given.has("--part")) return "";
     std::vector<std::string> parts = judge_parts();
     for (const std::string& part : optional_parts()) parts.push_back(part);
     const std::string name =
-        is_rung ? "rung" + given.options.at("--rung") : given.options.at("--part");
+        is_step ? "step" + given.options.at("--step") : given.options.at("--part");
     if (std::count(parts.begin(), parts.end(), name) > 0) return name;
-    if (is_rung) throw app::UsageError("--rung: the rungs are 1 to 10");
+    if (is_step) throw app::UsageError("--step: the steps are 1 to 10");
     std::string known;
     for (const std::string& one : parts) known += (known.empty() ? "" : ", ") + one;
     throw app::UsageError("--part: there is no part '" + name + "'; the parts are " + known);
@@ -39,7 +39,7 @@ int own_new(const Course& course, const Given& given) {
         if (!own_passes(state.own)) state.own = {.folder = to.generic_string()};
     });
     print("Your folder is " + to.generic_string() + ". Read TASK.md in it, then write main.cpp.\n" +
-          "./course own judge " + folder + " --rung 1 tests the first rung.\n");
+          "./course own judge " + folder + " --step 1 tests the first step.\n");
     return app::done;
 }
 
@@ -58,17 +58,17 @@ int own_judge(const Course& course, const Given& given) {
     if (part.empty() && core)
         print(
             bold("You are the author of a ray tracer.") +
-            (lines.passed < lines.lines ? " Rungs 1 to 6 are its core; the rest are stars." : "") +
+            (lines.passed < lines.lines ? " Steps 1 to 6 are its core; the rest are stars." : "") +
             " ./course certify\n");
     if (part.empty() && !core)
         print(
-            "Rungs 1 to 6 are the core, the rest are stars. To judge one rung:\n"
+            "Steps 1 to 6 are the core, the rest are stars. To judge one step:\n"
             "./course own judge " +
-            folder + " --rung 1\n");
+            folder + " --step 1\n");
     if (lines.passed < lines.lines) return part.empty() && core ? app::done : app::could_not;
-    if (const auto rung = given.number("--rung"); rung > 0)
+    if (const auto step = given.number("--step"); step > 0)
         print("Next: ./course own judge " + folder +
-              (rung < 9 && rung != 6 ? " --rung " + std::to_string(rung + 1) : "") + '\n');
+              (step < 9 && step != 6 ? " --step " + std::to_string(step + 1) : "") + '\n');
     return app::done;
 }
 

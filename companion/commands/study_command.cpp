@@ -41,8 +41,11 @@ int study(const Course& course, const Given& given) {
             if (mine || whose == Whose::solution)
                 for (const std::string& program : study_programs(chapter, whose))
                     must_build(course, program);
+    Captions captions = captions_of(course);
+    captions.with_claims = false;  // nobody has looked at what is measured here
     const auto draw = [&](const Chapter& chapter, Whose whose) {
-        draw_plots(study_folder(course, whose) / chapter.table(), study_folder(course, whose));
+        draw_plots(study_folder(course, whose) / chapter.table(), study_folder(course, whose),
+                   captions);
     };
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         const Chapter& chapter = chosen[i];

@@ -5,13 +5,15 @@
 #include <companion/build/turn.hpp>
 #include <companion/check/yours.hpp>
 #include <companion/commands/commands.hpp>
+#include <companion/commands/followed.hpp>
 #include <companion/commands/judged_lines.hpp>
 #include <companion/commands/next_step.hpp>
 #include <companion/compare/comparison_sheet.hpp>
 #include <companion/model/kept.hpp>
-#include <companion/own/graft_judge.hpp>
+#include <companion/own/graft_reason.hpp>
 #include <companion/own/tracer.hpp>
 #include <companion/system/files.hpp>
+#include <companion/system/scratch_folder.hpp>
 #include <companion/system/terminal.hpp>
 #include <ctime>
 #include <regex>
@@ -79,13 +81,19 @@ std::string way_on(const Course& course) {
     return {};
 }
 
+bool includes(const Course& course, const std::string& header) {
+    const std::vector<std::string> headers = headers_of_tracer(course);
+    return std::find(headers.begin(), headers.end(), header) != headers.end();
+}
+
 // Draws the learner's scene, or what the program draws without a scene, or says why it cannot.
 void draw(const Course& course, const Chapter& chapter, bool beside_ours) {
     const Graft& graft = *chapter.graft;
     app::make_folder(course.out());
     const fs::path file = course.out() / "tracer.ppm";
     std::vector<std::string> words;
-    if (graft.reads == Graft::Reads::scene)
+    // The learner may be ahead of what passes.
+    if (graft.reads == Graft::Reads::scene || includes(course, "tracer_call.hpp"))
         words = {course.relative(tracer_scene(course)), course.relative(file)};
     const Picture picture = [&] {
         const WaitingLine waiting{"drawing your picture; Ctrl-C ends it"};
@@ -112,8 +120,7 @@ void draw(const Course& course, const Chapter& chapter, bool beside_ours) {
 
 // Draws the learner's scene in false colors, in the way that a word of --show asks for.
 int draw_false_colors(const Course& course, const std::string& word) {
-    const std::vector<std::string> headers = headers_of_tracer(course);
-    if (std::find(headers.begin(), headers.end(), "false_color_image.hpp") == headers.end())
+    if (!includes(course, "false_color_image.hpp"))
         throw app::Failure(
             "your tracer has no --show yet; docs/03-sphere.md, section Graft, says how to give it "
             "one");
@@ -126,6 +133,31 @@ int draw_false_colors(const Course& course, const std::string& word) {
     app::replace_file(shown, rt::encode_png(mean_of({drawn.picture})));
     print("Your picture: " + course.relative(shown) + '\n' + drawn.printed);
     return app::done;
+}
+
+// Tells what the light of a sample does in the learner's scene. Below the path is a picture with
+// few samples.
+int follow_in_tracer(const Course& course, const Chapter& chapter, const Followed& followed) {
+    if (!includes(course, "tracer_call.hpp"))
+        throw app::Failure("--follow needs a tracer that reads a scene: from graft 03 on");
+    compile_tracer(course, chapter, true);
+    const ScratchFolder scratch{"course-follow"};
+    const fs::path picture = scratch.path() / "picture.ppm", scene = scratch.path() / "scene.txt";
+    app::replace_file(
+        scene, std::regex_replace(read_text(tracer_scene(course)),
+                                  std::regex{"(^|\\n)(\\s*picture\\s+\\d+\\s+\\d+\\s+)\\d\\d+"},
+                                  "$1$029"));
+    return follow(
+        course,
+        {followed,
+         {tracer_program(course, true).string(), tracer_scene(course).string(), picture.string()},
+         picture,
+         [&] {
+             return draw_by_tracer(course, tracer_program(course),
+                                   {scene.string(), picture.string()}, picture, 60)
+                 .picture;
+         },
+         course.out() / "tracer-follow.svg"});
 }
 
 // The graft that is named, or else the next one.
@@ -142,12 +174,15 @@ NextGraft chosen(const Course& course, const Given& given) {
 int tracer(const Course& course, const Given& given) {
     const Turn turn{course};  // nothing else may disturb what is measured
     if (given.has("--from")) return begin_from(course, given.options.at("--from"));
+    std::optional<Followed> followed;
+    if (given.has("--follow")) followed = followed_in(given.options.at("--follow"));
     begin_tracer(course);
     // Which graft is next depends on what passes now, so changed answers are checked first.
     check_what_changed(course, grafts(course).back());
     const NextGraft choice = chosen(course, given);
     const Chapter& chapter = choice.chapter;
     print(bold(given.has("--show") ? "Your scene, in false colors"
+               : followed          ? "Your scene, and the light of a sample"
                : choice.is_ready   ? "Graft " + chapter.number() + ": " + chapter.graft->title
                                    : "Your tracer, on the way to graft " + chapter.number()) +
           '\n');
@@ -157,6 +192,7 @@ int tracer(const Course& course, const Given& given) {
         line += (line.empty() ? "" : " ") + word;
     print(dim(line) + '\n');
     compile_tracer(course, chapter);
+    if (followed) return follow_in_tracer(course, chapter, *followed);
     if (given.has("--show")) return draw_false_colors(course, given.options.at("--show"));
 
     bool has_picture = true;
@@ -169,6 +205,7 @@ int tracer(const Course& course, const Given& given) {
     print("\n");
     if (!choice.is_ready) {
         print(next_step(course, next_on_route(course, "graft " + choice.drawn.number())));
+        print(way_on(course));
         return has_picture ? app::done : app::could_not;
     }
     const std::uint64_t seed = scenes_seed(given);
@@ -180,10 +217,17 @@ int tracer(const Course& course, const Given& given) {
                           std::regex{"(^|\\n)struct Vec\\b[^;]*\\{"}))
         lines({false, "Vec3 in place of Vec", "tracer.cpp still has a struct Vec",
                "no Vec, and none of its operators and dot: the headers have them for Vec3", ""});
-    judge_graft(course,
-                {chapter, tracer_program(course), course.program("tracer." + chapter.number()),
-                 headers_of_tracer(course), seed, lines.begins},
-                std::ref(lines));
+    const GraftRequest request{chapter,
+                               tracer_program(course),
+                               course.program("tracer." + chapter.number()),
+                               headers_of_tracer(course),
+                               seed,
+                               lines.begins};
+    GraftReason reason{course, request, read_file(tracer_file(course))};
+    judge_graft(course, request, [&](JudgedLine judged) {
+        judged.suggestion = reason(judged);
+        lines(judged);
+    });
     if (lines.passed < lines.lines) {
         print("The same scenes again: ./course tracer --seed " + std::to_string(seed) + '\n' +
               ways_out(course, chapter));

@@ -77,6 +77,13 @@ void write(Image& sheet, int left, std::string_view text) {
 
 }  // namespace
 
+Image difference_map(const Picture& mine, const Picture& solution) {
+    Comparison pair;
+    pair.mine = {mine};
+    pair.solution = {solution};
+    return heat_map(pair, mean_of({mine}), mean_of({solution}));
+}
+
 Image side_by_side(const Image& mine, const Image& ours) {
     Image sheet{2 * mine.width() + 3 * gap, mine.height() + head + gap, paper};
     int left = gap;

@@ -21,6 +21,8 @@ struct DrawingFailed : app::Failure {
 struct DrawingOptions {
     int width = 0, height = 0, spp = 0, depth = 0;
     bool has_seed = false;
+    std::string show = {};                // what to draw in false colors; empty: the picture
+    std::vector<std::string> shows = {};  // what it can draw so
 };
 
 // Reads what a program prints about its options when it gets --describe.
@@ -31,9 +33,17 @@ DrawingOptions options_from(const std::string& description);
 // few samples.
 DrawingOptions for_comparison(DrawingOptions options);
 
-// Runs a program and reads the picture that it writes.
+// The words that ask a program for a picture with these options.
+std::vector<std::string> words_for(const DrawingOptions& options, std::uint64_t seed);
+
+// Runs a program and reads the picture that it writes. With `most_cpu`, it gets so many seconds of
+// processor time, however busy the machine is. Adds to `cpu_seconds`, if there is one, how many it
+// took.
 Picture draw_with(const std::filesystem::path& program, const DrawingOptions& options,
-                  std::uint64_t seed);
+                  std::uint64_t seed, double most_cpu = 0, double* cpu_seconds = nullptr);
+
+// The options that a program has, as it says itself.
+DrawingOptions options_of(const std::filesystem::path& program);
 
 // The two programs in the form that compare() needs. The solution tells whether they use
 // randomness.

@@ -40,25 +40,25 @@ std::vector<Chapter> core_chapters(const Course& course) {
     return all;
 }
 
-std::optional<Chapter> chapter_of_rungs(const Course& course) {
+std::optional<Chapter> chapter_of_task(const Course& course) {
     for (const Chapter& chapter : every_chapter(course))
         if (!chapter.has_exercises()) return chapter;
     return {};
 }
 
-Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too) {
+Chapter find_chapter(const Course& course, const std::string& name, bool task_too) {
     const std::string number = name.size() == 1 ? '0' + name : name;
     std::string known;
     for (const Chapter& chapter : every_chapter(course)) {
         const std::string topic = chapter.name.substr(chapter.name.find('_') + 1);
         const bool meant = number == chapter.number() || name == chapter.name || name == topic;
         if (meant) check_is_built(chapter);
-        if (meant && (chapter.has_exercises() || rungs_too)) return chapter;
+        if (meant && (chapter.has_exercises() || task_too)) return chapter;
         if (meant)
-            throw app::UsageError("chapter " + chapter.number() +
-                                  " has rungs instead of exercises: ./course own judge tests them, "
-                                  "and " +
-                                  chapter.text.string() + " explains how");
+            throw app::UsageError(
+                "chapter " + chapter.number() +
+                " has a task instead of exercises: ./course own judge judges it, and " +
+                chapter.text.string() + " explains how");
         if (chapter.has_exercises()) known += (known.empty() ? "" : ", ") + chapter.name;
     }
     throw app::UsageError("there is no chapter '" + name + "'; the chapters are " + known);

@@ -37,12 +37,12 @@ struct Graft {
     // file.
     enum class Reads { nothing, eye, scene } reads = Reads::scene;
     bool still = false;           // its pictures have no noise
-    std::vector<int> rungs = {};  // of chapter 09; the program must draw their scenes
+    std::vector<int> steps = {};  // of chapter 09; the program must draw their scenes
 };
 
 // A chapter as course.json describes it. Paths are relative to the course. A chapter of exercises
-// has hints. A chapter of rungs has a scene instead: the learner writes a whole program for it, in
-// a separate folder.
+// has hints. A chapter with a task has a scene instead: the learner writes a whole program for it,
+// in a separate folder.
 struct Chapter {
     std::string name = {};   // "03_sphere"
     std::string title = {};  // "The sphere"
@@ -78,12 +78,12 @@ std::vector<Chapter> chapters(const Course& course);
 // The chapters of exercises that belong to the core, not the electives.
 std::vector<Chapter> core_chapters(const Course& course);
 
-// The chapter of rungs; null if the course has none.
-std::optional<Chapter> chapter_of_rungs(const Course& course);
+// The chapter with a task; null if the course has none.
+std::optional<Chapter> chapter_of_task(const Course& course);
 
-// The chapter of exercises (with `rungs_too`, of rungs as well) that "3", "03", "03_sphere" or
+// The chapter of exercises (with `task_too`, of steps as well) that "3", "03", "03_sphere" or
 // "sphere" means. Throws app::UsageError, which lists the chapters, or says what the chapter needs.
-Chapter find_chapter(const Course& course, const std::string& name, bool rungs_too = false);
+Chapter find_chapter(const Course& course, const std::string& name, bool task_too = false);
 
 // The folders, relative to the course, in whose rt/ a chapter's given headers are: its own or, if
 // there are several kinds of headers, some in it.

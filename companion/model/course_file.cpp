@@ -42,9 +42,9 @@ Graft read_graft(const Value& value) {
                   : reads == "eye"   ? Graft::Reads::eye
                                      : Graft::Reads::scene;
     if (const auto still = value.find("still")) graft.still = still->yes();
-    if (const auto rungs = value.find("rungs"))
-        for (const Value& rung : rungs->list("rungs", 1))
-            graft.rungs.push_back(static_cast<int>(rung.whole(1, 9)));
+    if (const auto steps = value.find("steps"))
+        for (const Value& step : steps->list("steps", 1))
+            graft.steps.push_back(static_cast<int>(step.whole(1, 9)));
     return graft;
 }
 

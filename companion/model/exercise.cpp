@@ -17,11 +17,6 @@ std::string hash_over(const std::vector<fs::path>& files, const Read& read) {
     return hash_of(bytes);
 }
 
-// The contents of a file; empty if there is none.
-std::string present(const Course& course, const fs::path& file) {
-    return why_no_file(course.root / file).empty() ? read_text(course.root / file) : "";
-}
-
 // Fills in the members about the stubs, as they were shipped, of a chapter's exercises.
 void add_shipped(const Course& course, std::vector<Exercise>& exercises) {
     const auto read = [&](const fs::path& file) { return shipped_stub(course, file); };
@@ -73,7 +68,9 @@ Exercise find_exercise(const Course& course, const std::string& id) {
     const bool is_chapter = dot == std::string::npos;
     // "1.3" is 01.3
     const std::string wanted = (is_chapter ? id.size() : dot) == 1 ? '0' + id : id;
-    const fs::path file = (course.root / id).lexically_normal().lexically_relative(course.root);
+    // Links lead to the same file: /tmp is one on macOS.
+    const fs::path file =
+        fs::weakly_canonical(course.root / id).lexically_relative(fs::canonical(course.root));
     std::string known;
     for (const Exercise& exercise : exercises(course)) {
         const auto& files = exercise.files;
@@ -98,7 +95,8 @@ std::string hash_of(const Course& course, const Exercise& exercise) {
         if (const fs::path file = path.lexically_relative(course.root);
             std::find(known.begin(), known.end(), file) == known.end())
             files.push_back(file);
-    return hash_over(files, [&](const fs::path& file) { return present(course, file); });
+    return hash_over(files,
+                     [&](const fs::path& file) { return text_if_there(course.root / file); });
 }
 
 std::string trouble_with_files(const Course& course, const Exercise& exercise) {
@@ -123,7 +121,7 @@ std::string trouble_with_files(const Course& course, const Exercise& exercise) {
 bool is_begun(const Course& course, const Exercise& exercise) {
     const int left = todos_left(course, exercise);
     if (left == 0 || left < exercise.shipped_todos) return true;
-    const auto read = [&](const fs::path& file) { return present(course, file); };
+    const auto read = [&](const fs::path& file) { return text_if_there(course.root / file); };
     return !exercise.shipped_hash.empty() &&
            hash_over(exercise.files, read) != exercise.shipped_hash;
 }
@@ -131,7 +129,7 @@ bool is_begun(const Course& course, const Exercise& exercise) {
 std::vector<std::string> functions_left(const Course& course, const Exercise& exercise) {
     std::vector<std::string> names;
     for (const fs::path& file : exercise.files) {
-        const auto more = functions_to_write(present(course, file), exercise.id);
+        const auto more = functions_to_write(text_if_there(course.root / file), exercise.id);
         names.insert(names.end(), more.begin(), more.end());
     }
     return names;
@@ -140,7 +138,7 @@ std::vector<std::string> functions_left(const Course& course, const Exercise& ex
 int todos_left(const Course& course, const Exercise& exercise) {
     int count = 0;
     for (const fs::path& file : exercise.files)
-        count += count_todos(present(course, file), exercise.id);
+        count += count_todos(text_if_there(course.root / file), exercise.id);
     return count;
 }
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <companion/model/hints.hpp>
+#include <companion/model/progress.hpp>
 #include <companion/system/files.hpp>
 #include <sstream>
 
@@ -49,6 +51,28 @@ HintParts parts_of(const std::string& hint) {
     const auto star = hint.find("\n\n★");
     if (star == std::string::npos) return {hint, ""};
     return {hint.substr(0, star), hint.substr(star + 2)};
+}
+
+std::vector<std::string> hints_in_view(const Course& course, const Exercise& exercise) {
+    std::vector<std::string> all = hints(course, exercise);
+    if (!exercise.is_star() && !passes(progress_of(course, read_state(course), exercise)))
+        for (std::string& hint : all) hint = parts_of(hint).core;
+    return all;
+}
+
+int due_hint(const Course& course, const std::string& id, std::size_t most) {
+    int number = 0;
+    change_state(course, [&](State& state) {
+        int& shown = state.exercises[id].hints;
+        number = std::clamp(shown, 0, static_cast<int>(most));
+        shown = std::min(number + 1, static_cast<int>(most));
+    });
+    return number;
+}
+
+std::string plain_hint(std::string hint) {
+    std::erase(hint, '`');
+    return hint;
 }
 
 }  // namespace companion

@@ -16,4 +16,14 @@ struct HintParts {
 };
 HintParts parts_of(const std::string& hint);
 
+// The hints of an exercise without what is for its stars, until its core passes.
+std::vector<std::string> hints_in_view(const Course& course, const Exercise& exercise);
+
+// Counts a hint of the exercise or graft with this ID, and returns the number of the one that is
+// due, from 0 on; `most` if there are no more.
+int due_hint(const Course& course, const std::string& id, std::size_t most);
+
+// A hint without Markdown's code marks.
+std::string plain_hint(std::string hint);
+
 }  // namespace companion

@@ -16,9 +16,11 @@ const std::set<std::string> with_value{
     "address sanitizer reports",  // a pattern of its report
     "compare says",               // a pattern of the words of `course compare`
     "only if the answer has",     // a pattern of its code; without it, the mistake is not suggested
+    "unless the answer has",      // the same, with it: what the mistake says is missing
     "edits",                      // "plain answer", see mistakes.hpp
     "data race in",               // the test case in which the thread sanitizer reports one
-    "also fails"};                // for programs of chapter 09: further lines of the verdict
+    "also fails",                 // for programs of chapter 09: further lines of the verdict
+    "main hands over"};           // for grafts: a pattern of the words that say what is wrong there
 
 class Reader {
   public:
@@ -185,8 +187,13 @@ Mistake read_mistake(const Course& course, const Chapter& chapter, const std::st
 }
 
 bool may_be(const Mistake& mistake, const std::string& code) {
-    const auto needed = mistake.remarks.find("only if the answer has");
-    return needed == mistake.remarks.end() || std::regex_search(code, std::regex{needed->second});
+    const auto has = [&](const char* remark, bool without) {
+        const auto pattern = mistake.remarks.find(remark);
+        return pattern == mistake.remarks.end()
+                   ? without
+                   : std::regex_search(code, std::regex{pattern->second});
+    };
+    return has("only if the answer has", true) && !has("unless the answer has", false);
 }
 
 bool is_refuted(const Mistake& mistake, const std::vector<std::string>& failed,

@@ -57,7 +57,7 @@ std::vector<Mistake> read_mistakes(const Course& course, const Chapter& chapter)
 Mistake read_mistake(const Course& course, const Chapter& chapter, const std::string& name);
 
 // Whether code can contain this mistake, given the answer's code without comments: a mistake in
-// something that the code does not use is impossible.
+// something that the code does not use is impossible, and so is one that leaves out what it uses.
 bool may_be(const Mistake& mistake, const std::string& code);
 
 // Whether the results speak against this mistake, given the names of the test cases that failed, in

@@ -42,7 +42,7 @@ struct OwnRecord {
     std::string folder{}, hash{};   // of its sources when they were judged
     int lines = 0, passed = 0;      // lines of the verdict; 0 lines: never judged
     std::int64_t first_passed = 0;  // as in Record
-    bool core = false;              // the lines of rungs 1 to 6 pass
+    bool core = false;              // the lines of steps 1 to 6 pass
 };
 
 // The last picture of the final scene that `run` drew, and whose code drew it.

@@ -7,16 +7,13 @@
 #include <companion/system/process.hpp>
 #include <regex>
 #include <set>
+#include <sstream>
 
 namespace companion {
 namespace {
 
 fs::path kept_file(const Course& course, const fs::path& file) {
     return course.root / ".course/stubs" / file.lexically_relative("exercises");
-}
-
-std::string text_of(const fs::path& file) {
-    return why_no_file(file).empty() ? read_text(file) : "";
 }
 
 // Whether the file is the same as in the course's repository: then it is a stub, even if it differs
@@ -75,7 +72,37 @@ std::string function_around(const std::string& code, std::size_t place) {
     return "";
 }
 
+bool begins(const std::string& line, const char* word) {
+    return line.rfind(word, 0) == 0;
+}
+
 }  // namespace
+
+std::string core_contract(const std::string& stub) {
+    std::string contract;
+    enum { code, comment, left_out, declaration } now = code;
+    std::istringstream lines{stub};
+    for (std::string line; std::getline(lines, line);) {
+        if (begins(line, "//")) {
+            if (begins(line, "// Star:") || begins(line, "// Source:")) now = left_out;
+            if (now == left_out) continue;
+            if (now != comment && !contract.empty()) contract += '\n';
+            now = comment;
+            contract += line.substr(std::min<std::size_t>(3, line.size())) + '\n';
+            continue;
+        }
+        const bool is_blank = line.find_first_not_of(" \t") == std::string::npos;
+        if (is_blank || begins(line, "#") || now == code) {
+            now = code;
+            continue;
+        }
+        const auto end = line.find_first_of("{;");
+        const auto last = line.substr(0, end).find_last_not_of(' ');
+        contract += line.substr(0, last == std::string::npos ? 0 : last + 1) + '\n';
+        now = end == std::string::npos ? declaration : code;
+    }
+    return contract;
+}
 
 int count_todos(const std::string& source, const std::string& exercise) {
     return static_cast<int>(todos(code_of(source, true), exercise).size());
@@ -88,8 +115,8 @@ int count_todos(const std::string& source) {
 void keep_stubs(const Course& course) try {
     for (const Exercise& exercise : read_course_file(course).exercises)
         for (const fs::path& file : exercise.files) {
-            const std::string now = text_of(course.root / file),
-                              kept = text_of(kept_file(course, file));
+            const std::string now = text_if_there(course.root / file),
+                              kept = text_if_there(kept_file(course, file));
             if (now == kept) continue;
             const int left = count_todos(now), all = count_todos(kept);
             if (left == 0 || left < all) continue;
@@ -102,8 +129,8 @@ void keep_stubs(const Course& course) try {
 }
 
 std::string shipped_stub(const Course& course, const fs::path& file) {
-    if (const std::string kept = text_of(kept_file(course, file)); !kept.empty()) return kept;
-    const std::string now = text_of(course.root / file);
+    if (const std::string kept = text_if_there(kept_file(course, file)); !kept.empty()) return kept;
+    const std::string now = text_if_there(course.root / file);
     return count_todos(now) > 0 ? now : "";
 }
 

@@ -17,6 +17,10 @@ void keep_stubs(const Course& course);
 // now if something in it is still to be written. Empty if neither is available.
 std::string shipped_stub(const Course& course, const fs::path& file);
 
+// What a stub says of the core: for each comment, its lines before "Star:" and "Source:", and the
+// declaration below them.
+std::string core_contract(const std::string& stub);
+
 // How often a source calls rt::todo("NN.k"), or rt::todo for any exercise; comments do not count.
 int count_todos(const std::string& source, const std::string& exercise);
 int count_todos(const std::string& source);

@@ -167,12 +167,12 @@ void judge_graft(const Course& course, const GraftRequest& request,
     const OwnProgram own{OwnProgram::Existing{}, request.program};
     if (graft.still) {
         const OwnProgram ours{OwnProgram::Existing{}, request.reference};
-        for (const Rung& rung : own_rungs(request.seed))
-            if (std::count(graft.rungs.begin(), graft.rungs.end(), rung.number))
-                for (const OwnScene& scene : rung.scenes)
+        for (const TaskStep& step : task_steps(request.seed))
+            if (std::count(graft.steps.begin(), graft.steps.end(), step.number))
+                for (const OwnScene& scene : step.scenes)
                     judge(
                         {false, scene.name, "", "our picture",
-                         (rung.number == 1 ? ""
+                         (step.number == 1 ? ""
                                            : "Does `color` change where a sphere is hit? "
                                              "(`Color color` there would be a second variable.) ") +
                              scene.suggestion},
@@ -183,7 +183,7 @@ void judge_graft(const Course& course, const GraftRequest& request,
         return;
     }
     std::vector<std::string> parts;
-    for (const int rung : graft.rungs) parts.push_back("rung" + std::to_string(rung));
+    for (const int step : graft.steps) parts.push_back("step" + std::to_string(step));
     JudgeRequest asked{{}, request.reference, request.seed, {}, app::physical_cores()};
     asked.crowd = 300;    // so that a program without a tree also ends soon
     asked.tree_gain = 5;  // chapter 03's list is fast, so the gain is smaller

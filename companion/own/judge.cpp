@@ -103,7 +103,7 @@ void judge_pictures(const Trial& trial, const std::string& part,
 
 void judge_seed(const Trial& trial, const OwnScene& scene) {
     trial.line(
-        {false, "rung 3: --seed", "",
+        {false, "step 3: --seed", "",
          "a different seed gives different noise, and the same seed gives the same bytes",
          "The random numbers must depend on the seed, the pixel and the sample, and nothing else."},
         [&](JudgedLine& line) {
@@ -123,7 +123,7 @@ void judge_seed(const Trial& trial, const OwnScene& scene) {
 // How the program is called, and what it prints.
 void judge_call(const Trial& trial, const OwnScene& scene) {
     trial.line(
-        {false, "rung 3: the options before the files", "", "the same bytes",
+        {false, "step 3: the options before the files", "", "the same bytes",
          "Options begin with --; of the other words, the first is the scene and the second the "
          "picture, wherever they stand."},
         [&](JudgedLine& line) {
@@ -134,7 +134,7 @@ void judge_call(const Trial& trial, const OwnScene& scene) {
                 trial.own.picture(scene.text, options).bytes;
             line.actual = line.passed ? "the same bytes" : "different bytes";
         });
-    trial.line({false, "rung 3: standard error", "", "nothing",
+    trial.line({false, "step 3: standard error", "", "nothing",
                 "Write what is no error to std::cout, or to no stream at all."},
                [&](JudgedLine& line) {
                    line.looked = {scene.text, scene.mesh, {}, {}};
@@ -242,7 +242,7 @@ void judge_broken(const Trial& trial) {
 
 // No ray may slip between triangles that share an edge.
 void judge_edges(const Trial& trial) {
-    trial.line({false, "rung 10: no ray between two triangles", "", "only black pixels",
+    trial.line({false, "step 10: no ray between two triangles", "", "only black pixels",
                 "Both triangles of an edge must decide from the same numbers on which side of it "
                 "the ray is, "
                 "as in the star of 12.1. A ray on the edge itself must hit one of them, or both."},
@@ -264,18 +264,18 @@ void judge_edges(const Trial& trial) {
 }
 
 void judge_part(const Trial& trial, const std::string& part) {
-    for (const Rung& rung : own_rungs(trial.request.seed)) {
-        if (part != "rung" + std::to_string(rung.number)) continue;
-        if (rung.number == 3) {
-            judge_seed(trial, rung.scenes.front());
-            judge_call(trial, rung.scenes.front());
+    for (const TaskStep& step : task_steps(trial.request.seed)) {
+        if (part != "step" + std::to_string(step.number)) continue;
+        if (step.number == 3) {
+            judge_seed(trial, step.scenes.front());
+            judge_call(trial, step.scenes.front());
         }
-        judge_pictures(trial, "rung " + std::to_string(rung.number), rung.scenes);
-        if (rung.number == 8) judge_cores(trial);
-        if (rung.number == 9) judge_tree(trial);
-        if (rung.number == 10) {
+        judge_pictures(trial, "step " + std::to_string(step.number), step.scenes);
+        if (step.number == 8) judge_cores(trial);
+        if (step.number == 9) judge_tree(trial);
+        if (step.number == 10) {
             judge_edges(trial);
-            judge_refusals(trial, "rung 10", broken_meshes());
+            judge_refusals(trial, "step 10", broken_meshes());
             judge_mesh_tree(trial);
         }
     }
@@ -289,12 +289,12 @@ void judge_part(const Trial& trial, const std::string& part) {
 }  // namespace
 
 std::vector<std::string> judge_parts() {
-    return {"rung1", "rung2", "rung3", "rung4", "rung5",      "rung6",  "rung7",
-            "rung8", "rung9", "hard",  "list",  "sanitizers", "broken", "accuracy"};
+    return {"step1", "step2", "step3", "step4", "step5",      "step6",  "step7",
+            "step8", "step9", "hard",  "list",  "sanitizers", "broken", "accuracy"};
 }
 
 std::vector<std::string> optional_parts() {
-    return {"rung10"};
+    return {"step10"};
 }
 
 void judge(const JudgeRequest& request, const std::function<void(const JudgedLine&)>& report) {

@@ -26,7 +26,7 @@ struct Looked {
 // One line of a verdict: what was judged, what was found, and what was expected.
 struct JudgedLine {
     bool passed = false;
-    std::string what;           // "rung 3: one matte ball on the ground"
+    std::string what;           // "step 3: one matte ball on the ground"
     std::string actual;         // "the same within the noise", "0.8 times as fast"
     std::string expected;       // "our picture", "at least 10 times as fast"
     std::string suggestion;     // where to look if the line failed
@@ -52,11 +52,11 @@ struct JudgeRequest {
     std::function<void(const std::string& what)> begins = [](const std::string&) {};
 };
 
-// The parts of a verdict, in their order: "rung1" to "rung9", "hard", "list", "sanitizers",
-// "broken", "accuracy". A line's name begins with its part: "rung 1: ...", "hard: ...".
+// The parts of a verdict, in their order: "step1" to "step9", "hard", "list", "sanitizers",
+// "broken", "accuracy". A line's name begins with its part: "step 1: ...", "hard: ...".
 std::vector<std::string> judge_parts();
 
-// Parts that are judged only on request: "rung10", triangles and meshes.
+// Parts that are judged only on request: "step10", triangles and meshes.
 std::vector<std::string> optional_parts();
 
 // Judges a program, and reports each line as soon as it is known. If the program cannot be built,

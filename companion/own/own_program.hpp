@@ -49,10 +49,11 @@ class OwnProgram {
     // nor write a file larger than 64 MB.
     Result call(const std::vector<std::string>& words, Output output = Output::captured) const;
 
-    double patience = 60;                         // seconds that a call may take
-    std::vector<std::string> before{};            // words before its name on the command line
-    bool may_start_others = false;                // as sanitizers do
-    int times_out() const { return times_out_; }  // how often a call did not end
+    double patience = 60;                             // seconds that a call may take
+    std::vector<std::string> before{};                // words before its name on the command line
+    bool may_start_others = false;                    // as sanitizers do
+    const fs::path& folder() const { return work_; }  // in which it runs
+    int times_out() const { return times_out_; }      // how often a call did not end
 
   private:
     ScratchFolder scratch_;  // for the copy, the scenes and the pictures

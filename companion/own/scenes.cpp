@@ -398,8 +398,8 @@ std::string accuracy_scene(std::uint64_t seed) {
     return glass(any, true);
 }
 
-std::vector<Rung> own_rungs(std::uint64_t seed) {
-    std::vector<Rung> rungs;
+std::vector<TaskStep> task_steps(std::uint64_t seed) {
+    std::vector<TaskStep> steps;
     std::uint64_t number = 0;
     // Makes a scene with its own random numbers.
     const auto scene = [&](const char* name, auto make, const char* suggestion, auto... more) {
@@ -407,7 +407,7 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
         return OwnScene{name, make(any, more...), suggestion};
     };
     const auto add = [&](const char* title, std::vector<OwnScene> scenes) {
-        rungs.push_back({static_cast<int>(rungs.size()) + 1, title, std::move(scenes)});
+        steps.push_back({static_cast<int>(steps.size()) + 1, title, std::move(scenes)});
     };
     add("a sky", {scene("a sky and nothing else", sky_only,
                         "Is the direction normalized before its y mixes the two colors? Is the "
@@ -486,9 +486,9 @@ std::vector<Rung> own_rungs(std::uint64_t seed) {
                "0 / 0 is not a number, and every comparison with it is false. Does your "
                "condition then report a miss, as it should?")});
     Any any{seed, ++number};
-    rungs.back().scenes.push_back(matte_mesh(any));
-    rungs.back().scenes.push_back(glass_mesh(any));
-    return rungs;
+    steps.back().scenes.push_back(matte_mesh(any));
+    steps.back().scenes.push_back(glass_mesh(any));
+    return steps;
 }
 
 OwnScene lit_balls(std::uint64_t seed) {

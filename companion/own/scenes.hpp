@@ -15,15 +15,15 @@ struct OwnScene {
     std::string mesh = {};   // the file shape.obj beside it, if the scene names it
 };
 
-// One step on the way from a sky to the whole program; the last rungs ask for more than pictures.
-struct Rung {
+// One step on the way from a sky to the whole program; the last steps ask for more than pictures.
+struct TaskStep {
     int number = 0;
     std::string title;
     std::vector<OwnScene> scenes;  // the pictures must equal the reference's within the noise
 };
 
-// All ten rungs, in order. The tenth is optional.
-std::vector<Rung> own_rungs(std::uint64_t seed);
+// All ten steps, in order. The tenth is optional.
+std::vector<TaskStep> task_steps(std::uint64_t seed);
 
 // Balls in the light, some in another's shadow, for a tracer whose pictures have no noise.
 OwnScene lit_balls(std::uint64_t seed);

@@ -47,6 +47,7 @@ void look_at_tree(const Trial& trial, double wanted, int width, const SceneOfWid
                   JudgedLine& line) {
     const Timed list{trial.own, {"--list", "--threads", "1"}}, tree{trial.own, {"--threads", "1"}};
     const OwnScene scene = wide_enough(list, Clock::processor, wanted, width, scene_of);
+    line.looked = {scene.text, scene.mesh, {}, {}};
     const Turns turns =
         in_turns(list, tree, scene.text, Clock::processor, 3, trial.request.tree_gain, scene.mesh);
     line.passed = turns.ratio >= trial.request.tree_gain;
@@ -81,7 +82,7 @@ std::string long_enough(const Timed& timed, std::uint64_t seed, Clock clock, dou
 
 void judge_cores(const Trial& trial) {
     trial.line(
-        {false, "rung 8: the same bytes for 1, 2, 3 and 8 threads", "", "the same bytes",
+        {false, "step 8: the same bytes for 1, 2, 3 and 8 threads", "", "the same bytes",
          "Does a thread use another thread's random numbers, or do two threads write to the "
          "same memory?"},
         [&](JudgedLine& line) {
@@ -100,7 +101,7 @@ void judge_cores(const Trial& trial) {
         });
     const double asked = 0.8 * trial.request.cores;
     trial.line(
-        {false, "rung 8: all cores against one", "", "at least " + number(asked) + " times as fast",
+        {false, "step 8: all cores against one", "", "at least " + number(asked) + " times as fast",
          "Are the tiles or rows small enough that no thread waits long for the last one? Is "
          "there a lock that makes threads wait?"},
         [&](JudgedLine& line) {
@@ -108,6 +109,7 @@ void judge_cores(const Trial& trial) {
             const std::vector<std::string> one{"--threads", "1"}, all;
             const std::string scene = long_enough({trial.own, one}, trial.request.seed, Clock::wall,
                                                   0.5, trial.request.crowd);
+            line.looked = {scene, {}, {}, {}};
             // A program that is fast enough once is fast enough. It gets another chance if the
             // machine was busy, or if the program is so near that chance may have decided.
             for (int attempt = 0; attempt < 3 && !line.passed; ++attempt) {
@@ -133,14 +135,14 @@ void judge_cores(const Trial& trial) {
 
 void judge_tree(const Trial& trial) {
     trial.line(
-        {false, "rung 9: --list draws the same bytes", "", "the same bytes",
+        {false, "step 9: --list draws the same bytes", "", "the same bytes",
          "A box that is too small loses spheres; of equally near spheres, the last one in the "
          "file counts."},
         [&](JudgedLine& line) {
             look_at_list(trial, {"", crowd_with_twins(trial.request.seed, 64, 36), ""}, line);
         });
     trial.line(
-        {false, "rung 9: the tree against --list", "",
+        {false, "step 9: the tree against --list", "",
          "at least " + number(trial.request.tree_gain, "%.0f") +
              " times as fast, in processor time",
          "Is the tree searched without --list, and the list with it? Do you skip everything in a "
@@ -153,10 +155,10 @@ void judge_tree(const Trial& trial) {
 
 void judge_mesh_tree(const Trial& trial) {
     trial.line(
-        {false, "rung 10: --list draws the same bytes", "", "the same bytes",
+        {false, "step 10: --list draws the same bytes", "", "the same bytes",
          "The box of a triangle must hold its three corners, with a margin for rounding errors."},
         [&](JudgedLine& line) { look_at_list(trial, fine_mesh(trial.request.seed, 48), line); });
-    trial.line({false, "rung 10: the tree against --list", "",
+    trial.line({false, "step 10: the tree against --list", "",
                 "at least " + number(trial.request.tree_gain, "%.0f") +
                     " times as fast, in processor time, for 10,000 triangles",
                 "Are the triangles of a mesh in the tree, as the spheres are?"},

@@ -67,8 +67,8 @@ std::string hash_of_own(const fs::path& folder) try {
 }
 
 bool is_core(const JudgedLine& line) {
-    for (const char rung : {'1', '2', '3', '4', '5', '6'})
-        if (line.what.rfind(std::string{"rung "} + rung + ':', 0) == 0) return true;
+    for (const char step : {'1', '2', '3', '4', '5', '6'})
+        if (line.what.rfind(std::string{"step "} + step + ':', 0) == 0) return true;
     return false;
 }
 

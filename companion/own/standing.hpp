@@ -17,7 +17,7 @@ std::vector<fs::path> own_sources(const fs::path& folder);
 // A hash over these files; empty if the folder is gone or holds too much.
 std::string hash_of_own(const fs::path& folder);
 
-// Whether a line of a verdict belongs to the core: rungs 1 to 6.
+// Whether a line of a verdict belongs to the core: steps 1 to 6.
 bool is_core(const JudgedLine& line);
 
 // Whether the core, or every line, passed in the last verdict, and nothing has changed since then.

@@ -12,6 +12,7 @@
 #include <companion/system/terminal.hpp>
 #include <csignal>
 #include <cstdio>
+#include <functional>
 #include <regex>
 #include <sstream>
 
@@ -20,11 +21,17 @@ namespace {
 
 constexpr std::size_t most_words = std::size_t{1} << 20;  // of the compiler's messages, in bytes
 
+std::string compiler_name(const Course& course) {
+    const std::string name = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
+    return name.empty() ? "c++" : name;
+}
+
 // The compiler's command without input and output; the preprocessor needs these words, too.
-std::vector<std::string> compiler_words(const Course& course, const Chapter& last) {
-    const std::string compiler = fs::path{cached(course, "CMAKE_CXX_COMPILER")}.filename().string();
+std::vector<std::string> compiler_words(const Course& course, const Chapter& last,
+                                        bool follows = false) {
     std::vector<std::string> words{
-        compiler.empty() ? "c++" : compiler, "-std=c++20", "-O3", "-pthread", "-Wall", "-Wshadow"};
+        compiler_name(course), "-std=c++20", "-O3", "-pthread", "-Wall", "-Wshadow"};
+    if (follows) words.push_back("-Icompanion/follow/recorder");
     words.push_back("-I" + course.relative(course.build / "yours"));
     for (const Chapter& chapter : grafts(course))
         if (chapter.name <= last.name)
@@ -49,6 +56,35 @@ std::string chapter_of_header(const Course& course, const Chapter& last, const s
     return "";
 }
 
+// Runs a command that compiles this file alone. `reason` may know more about an error than its own
+// words say.
+void compile_alone(const Course& course, const std::vector<std::string>& command,
+                   const fs::path& file,
+                   const std::function<std::string(const std::string& error)>& reason) {
+    const Result result = run_process({.command = command,
+                                       .folder = course.root,
+                                       .most_cpu = most_compiling,
+                                       .most_memory = memory_of_compiler()});
+    const std::string fails = file.filename().string() + " does not compile";
+    if (result.ok()) {
+        if (const std::string warning =
+                first_warning(course, printable(result.output, most_words), {file});
+            !warning.empty())
+            std::fprintf(stderr, "The compiler warns: %s\n%s\n", warning.c_str(),
+                         plain_words(warning).c_str());
+        return;
+    }
+    const std::string error = first_error(course, printable(result.output, most_words), {file});
+    if (error.empty()) throw app::Failure(fails + ": " + how_it_ended(result));
+    std::string words = reason(error);
+    if (words.empty()) words = plain_words(error);
+    std::fprintf(stderr, "%s\n%s%s\n", error.c_str(),
+                 words.empty() ? "" : "In plain words: ", words.c_str());
+    throw app::Failure(fails);
+}
+
+const fs::path first_file = "exercises/00_toolchain/first.cpp";
+
 }  // namespace
 
 fs::path tracer_file(const Course& course) {
@@ -59,8 +95,8 @@ fs::path tracer_scene(const Course& course) {
     return course.root / "exercises/tracer/my.txt";
 }
 
-fs::path tracer_program(const Course& course) {
-    return course.build / program_name("tracer");
+fs::path tracer_program(const Course& course, bool follows) {
+    return course.build / program_name(follows ? "tracer_follow" : "tracer");
 }
 
 fs::path tracer_answer(const Course& course, const Chapter& chapter) {
@@ -91,36 +127,31 @@ NextGraft next_graft(const Course& course) {
     return {*last, true, *last};
 }
 
-std::vector<std::string> tracer_command(const Course& course, const Chapter& last) {
-    std::vector<std::string> words = compiler_words(course, last);
-    words.insert(words.end(), {"-o", course.relative(tracer_program(course))});
+std::vector<std::string> tracer_command(const Course& course, const Chapter& last, bool follows) {
+    std::vector<std::string> words = compiler_words(course, last, follows);
+    words.insert(words.end(), {"-o", course.relative(tracer_program(course, follows))});
     return words;
 }
 
-void compile_tracer(const Course& course, const Chapter& last) {
-    const Result result = run_process({.command = tracer_command(course, last),
-                                       .folder = course.root,
-                                       .most_cpu = most_compiling,
-                                       .most_memory = memory_of_compiler()});
-    const fs::path file = course.relative(tracer_file(course));
-    if (result.ok()) {
-        if (const std::string warning =
-                first_warning(course, printable(result.output, most_words), {file});
-            !warning.empty())
-            std::fprintf(stderr, "The compiler warns: %s\n%s\n", warning.c_str(),
-                         plain_words(warning).c_str());
-        return;
-    }
-    const std::string error = first_error(course, printable(result.output, most_words), {file});
-    if (error.empty()) throw app::Failure("tracer.cpp does not compile: " + how_it_ended(result));
-    std::string words = plain_words(error);
-    if (const std::string later = chapter_of_header(course, last, error); !later.empty())
-        words = "Chapter " + later +
-                " has this header. Judge its graft once its exercises pass, or at " +
-                "once: ./course tracer --graft " + later;
-    std::fprintf(stderr, "%s\n%s%s\n", error.c_str(),
-                 words.empty() ? "" : "In plain words: ", words.c_str());
-    throw app::Failure("tracer.cpp does not compile");
+fs::path compile_first(const Course& course) {
+    const fs::path program = course.build / program_name("first");
+    compile_alone(course,
+                  {compiler_name(course), "-std=c++20", "-O2", first_file.generic_string(), "-o",
+                   course.relative(program)},
+                  first_file, [](const std::string&) { return std::string{}; });
+    return program;
+}
+
+void compile_tracer(const Course& course, const Chapter& last, bool follows) {
+    compile_alone(course, tracer_command(course, last, follows),
+                  course.relative(tracer_file(course)), [&](const std::string& error) {
+                      const std::string later = chapter_of_header(course, last, error);
+                      if (later.empty()) return std::string{};
+                      return "Chapter " + later +
+                             " has this header. Judge its graft once its exercises pass, or at "
+                             "once: ./course tracer --graft " +
+                             later;
+                  });
 }
 
 std::vector<std::string> headers_of_tracer(const Course& course) {

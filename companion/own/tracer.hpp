@@ -9,7 +9,8 @@ namespace companion {
 
 fs::path tracer_file(const Course& course);
 fs::path tracer_scene(const Course& course);  // my.txt beside the program
-fs::path tracer_program(const Course& course);
+// With `follows`, the one that records what a sample's light does: see companion/follow.
+fs::path tracer_program(const Course& course, bool follows = false);
 
 // Our answer to a chapter's graft, solutions/tracer/NN.cpp.
 fs::path tracer_answer(const Course& course, const Chapter& chapter);
@@ -29,11 +30,16 @@ NextGraft next_graft(const Course& course);
 // The command that compiles a tracer with the headers of chapters up to this one; build/yours has
 // the headers of the exercises. Paths are relative to the course. The first word is the compiler's
 // name.
-std::vector<std::string> tracer_command(const Course& course, const Chapter& last);
+std::vector<std::string> tracer_command(const Course& course, const Chapter& last,
+                                        bool follows = false);
+
+// Compiles the one file of 00.1, as chapter 00 has it typed, and returns the program. Fails as
+// compile_tracer does.
+fs::path compile_first(const Course& course);
 
 // Runs that command. If the compilation fails, throws app::Failure with the compiler's message; if
 // the compiler only warns, its message goes to stderr.
-void compile_tracer(const Course& course, const Chapter& last);
+void compile_tracer(const Course& course, const Chapter& last, bool follows = false);
 
 // The headers <rt/NAME> that the last compilation of the tracer read.
 std::vector<std::string> headers_of_tracer(const Course& course);

@@ -15,11 +15,11 @@ struct Trial {
     std::function<void(JudgedLine line, const std::function<void(JudgedLine&)>& look)> line;
 };
 
-// The parts of rungs 8 and 9 that are not about pictures, and the part "list".
+// The parts of steps 8 and 9 that are not about pictures, and the part "list".
 void judge_cores(const Trial& trial);
 void judge_tree(const Trial& trial);
 void judge_list(const Trial& trial);
-// The line of rung 10 about the tree over triangles.
+// The line of step 10 about the tree over triangles.
 void judge_mesh_tree(const Trial& trial);
 // The page accuracy.md.
 void judge_accuracy(const Trial& trial);

@@ -13,10 +13,7 @@ std::string printed(const char* format, double value) {
 }
 
 std::string power_of_ten(int exponent) {
-    static const char* const digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-    std::string text = exponent < 0 ? "10⁻" : "10";
-    for (const char c : std::to_string(std::abs(exponent))) text += digits[c - '0'];
-    return text;
+    return (exponent < 0 ? "10⁻" : "10") + raised(std::to_string(std::abs(exponent)));
 }
 
 // The multiples of a step from `least` to `most`.
@@ -51,6 +48,13 @@ std::string shown(double value) {
     return (mantissa == "1" ? "" : mantissa + "·") + power_of_ten(exponent);
 }
 
+std::string raised(const std::string& digits) {
+    static const char* const raised_digits[] = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    std::string text;
+    for (const char c : digits) text += raised_digits[c - '0'];
+    return text;
+}
+
 std::size_t letters(const std::string& text) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
@@ -61,7 +65,7 @@ std::string px(double length) {
     return printed("%g", std::floor(10 * length + 0.500001) / 10);
 }
 
-Axis::Axis(const Measurements& rows, Quantity quantity, double from, double to)
+Axis::Axis(const Measurements& rows, Quantity quantity, double from, double to, From begins)
     : from_{from}, to_{to} {
     std::vector<double> ordinary;
     for (const Measurement& row : rows) {
@@ -79,10 +83,11 @@ Axis::Axis(const Measurements& rows, Quantity quantity, double from, double to)
         values_ = {0};  // there is nothing else to mark
     }
     const auto [least, most] = std::minmax_element(ordinary.begin(), ordinary.end());
-    is_logarithmic_ = *least > 0 && *most / 16 > *least;
+    is_logarithmic_ = begins == From::values && *least > 0 && *most / 16 > *least;
     least_ = is_logarithmic_ ? std::log10(*least) : *least;
     most_ = is_logarithmic_ ? std::log10(*most) : *most;
-    if (!is_logarithmic_ && (quantity != &study::Row::x || has_zero_ || least_ == most_)) {
+    const bool may_begin_anywhere = quantity == &study::Row::x || begins == From::least;
+    if (!is_logarithmic_ && (!may_begin_anywhere || has_zero_ || least_ == most_)) {
         least_ = std::min(least_, 0.0);
         most_ = std::max(most_, 0.0);
     }

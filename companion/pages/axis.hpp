@@ -14,6 +14,9 @@ bool measured(const Measurement& row, Quantity quantity);
 // "7.3·10⁻¹²", "∞".
 std::string shown(double value);
 
+// Digits as they are written in a power: "7" becomes "⁷".
+std::string raised(const std::string& digits);
+
 // How many letters a text has.
 std::size_t letters(const std::string& text);
 
@@ -31,11 +34,17 @@ class Axis {
         bool is_apart;  // has a separate position
     };
 
+    // Where an axis begins: as its values ask for; at zero, and never logarithmic; or near the
+    // least value, and never logarithmic.
+    enum class From { values, zero, least };
+
     // The axis runs from left to right, or from bottom to top.
-    Axis(const Measurements& rows, Quantity quantity, double from, double to);
+    Axis(const Measurements& rows, Quantity quantity, double from, double to,
+         From begins = From::values);
 
     double from() const { return from_; }
     double to() const { return to_; }
+    bool is_logarithmic() const { return is_logarithmic_; }
     double at(double value) const;
 
     // As many marks as fit beside the axis: at round values, or at all values that x takes.

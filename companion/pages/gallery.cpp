@@ -39,7 +39,9 @@ constexpr const char* gallery_head = R"(<!doctype html>
   .missing { color: var(--soft); font-style: italic; }
   details { border-top: 1px solid var(--line); padding: 14px 26px; }
   summary { cursor: pointer; color: var(--soft); }
-  details img { display: block; width: 100%; max-width: 760px; height: auto; margin: 16px auto 4px;
+  figure { margin: 16px 0 4px; }
+  figcaption { color: var(--soft); font-size: .88rem; text-align: center; }
+  details img { display: block; width: 100%; max-width: 520px; height: auto; margin: 0 auto;
                 border-radius: 6px; }
   footer { color: var(--soft); font-size: .88rem; padding-bottom: 48px; }
   @media (max-width: 600px) { .text, details { padding-left: 16px; padding-right: 16px; } }
@@ -82,8 +84,10 @@ void add_exhibit(std::ostream& out, const Exhibit& exhibit, bool is_first) {
                                   : "by the authors (on your machine: "
                                     "<code>./course study</code>)")
             << "</summary>\n";
-        for (const std::string& plot : exhibit.plots)
-            out << "<img src=\"" << plot << "\" alt=\"plot: error and time\" loading=\"lazy\">\n";
+        for (const Plot& plot : exhibit.plots)
+            out << "<figure><img src=\"" << plot.file << "\" alt=\"" << escape_html(plot.says)
+                << "\" loading=\"lazy\"><figcaption>" << escape_html(plot.study)
+                << "</figcaption></figure>\n";
         out << "</details>\n";
     }
     out << "</article>\n";

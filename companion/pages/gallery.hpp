@@ -1,5 +1,6 @@
 #pragma once
 #include <companion/model/course.hpp>
+#include <companion/pages/studies.hpp>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,7 @@ struct Exhibit {
     Chapter chapter;
     std::string rendered;  // how the picture was made, such as "960x540 pixels in 0.12 s"
     bool has_picture = false, has_text = false, has_table = false;
-    std::vector<std::string> plots;  // paths from out/
+    std::vector<Plot> plots;
 };
 
 // Collects what out/ and docs/ hold about a chapter.

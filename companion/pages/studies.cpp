@@ -30,28 +30,40 @@ void measure(const Course& course, const Chapter& chapter, bool show_tables, Who
     }
 }
 
-void draw_plots(const fs::path& table, const fs::path& folder) {
-    for (const auto& [file, plot] : plots_of(table)) app::replace_file(folder / file, plot);
+Captions captions_of(const Course& course) {
+    return read_captions(course.root / "docs/studies/captions.json");
+}
+
+void draw_plots(const fs::path& table, const fs::path& folder, const Captions& captions) {
+    for (const auto& [file, plot] : plots_of(table, captions))
+        app::replace_file(folder / file, plot);
 }
 
 void draw_plots_of_texts(const Course& course) {
     const fs::path folder = course.root / "docs/plots";
+    const Captions captions = captions_of(course);
     fs::remove_all(folder);  // some of the old plots may be of studies that no longer exist
     app::make_folder(folder);
     for (const auto& entry : fs::directory_iterator(course.root / "docs/studies"))
-        if (entry.path().extension() == ".csv") draw_plots(entry, folder);
+        if (entry.path().extension() == ".csv") draw_plots(entry, folder, captions);
 }
 
-std::vector<std::string> plots(const Course& course, const Chapter& chapter) {
+std::vector<Plot> plots(const Course& course, const Chapter& chapter) {
     const bool here = fs::exists(study_folder(course) / chapter.table());
     const fs::path folder = here ? study_folder(course) : course.root / "docs/plots";
     const fs::path table = (here ? folder : course.root / "docs/studies") / chapter.table();
-    std::vector<std::string> files;
-    if (!fs::exists(table)) return files;
-    for (const auto& rows : by_study(read_measurements(table)))
-        if (const fs::path file = folder / plot_file(table, rows.front().study); fs::exists(file))
-            files.push_back(fs::relative(file, course.out()).generic_string());
-    return files;
+    std::vector<Plot> found;
+    if (!fs::exists(table)) return found;
+    const Captions captions = here ? Captions{} : captions_of(course);
+    for (const auto& rows : by_study(read_measurements(table))) {
+        const std::string& study = rows.front().study;
+        const fs::path file = folder / plot_file(table, study);
+        if (!fs::exists(file)) continue;
+        const std::string claim = captions.of(table, study).claim;
+        found.push_back({fs::relative(file, course.out()).generic_string(), study,
+                         claim.empty() ? "A plot of the study: " + study : claim});
+    }
+    return found;
 }
 
 }  // namespace companion

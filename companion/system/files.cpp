@@ -33,6 +33,15 @@ std::string read_text(const std::filesystem::path& path) {
     return text;
 }
 
+std::string text_if_there(const std::filesystem::path& path) {
+    for (int left = 10; why_no_file(path).empty(); --left) try {
+            return read_text(path);
+        } catch (const app::Failure&) {
+            if (left == 0) throw;
+        }
+    return "";
+}
+
 void copy_folder(const std::filesystem::path& from, const std::filesystem::path& to) {
     std::filesystem::create_directories(to);
     for (const auto& entry : std::filesystem::directory_iterator{from}) {

@@ -16,6 +16,10 @@ std::string read_file(const std::filesystem::path& path);
 // return at the end of each line, which is left out.
 std::string read_text(const std::filesystem::path& path);
 
+// The same; empty if there is no file, or none any more once it is to be read: editors remove files
+// in order to write them anew.
+std::string text_if_there(const std::filesystem::path& path);
+
 // Copies a folder with all that is in it. (On Windows, std::filesystem::copy refuses: it takes the
 // two folders for the same one.)
 void copy_folder(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <companion/system/process.hpp>
 #include <csignal>
 #include <sstream>
@@ -8,7 +9,8 @@ namespace companion {
 
 namespace {
 std::function<bool()> runs_are_over;
-}
+std::atomic<bool> runs_aside = false;
+}  // namespace
 
 EndsRuns::EndsRuns(std::function<bool()> is_over)
     : before_{std::exchange(runs_are_over, std::move(is_over))} {}
@@ -20,6 +22,14 @@ bool EndsRuns::exists() {
 }
 bool EndsRuns::is_over() {
     return exists() && runs_are_over();
+}
+
+RunsAside::RunsAside() : before_{runs_aside.exchange(true)} {}
+RunsAside::~RunsAside() {
+    runs_aside = before_;
+}
+bool RunsAside::exists() {
+    return runs_aside;
 }
 
 std::size_t memory_of_compiler() {
@@ -60,7 +70,8 @@ std::string how_it_ended(const Result& result) {
     else if (result.signal)
         text << "signal " << result.signal << " (" << name_of_signal(result.signal) << ')';
     else if (result.exit_code == 127)
-        text << "it could not be started";
+        text << "it could not be started"
+             << (result.why_not_started.empty() ? "" : ": " + result.why_not_started);
     else
         text << "exit code " << result.exit_code;
     return text.str();

@@ -43,7 +43,8 @@ struct Run {
 };
 
 struct Result {
-    int exit_code = 0;  // 127 if the program could not be started
+    int exit_code = 0;                 // 127 if the program could not be started
+    std::string why_not_started = {};  // in the system's words, if it has any
     int signal = 0;     // that ended it, or 0; on Windows, the one that its exception stands for
     int passed_on = 0;  // the last signal that was passed on to it, or 0
     bool timed_out = false;
@@ -76,6 +77,21 @@ class EndsRuns {
 
   private:
     std::function<bool()> before_;  // of the one that this one replaces meanwhile
+};
+
+// While one of these exists, each program that starts runs at low priority: whatever else the
+// learner waits for goes before it.
+class RunsAside {
+  public:
+    RunsAside();
+    ~RunsAside();
+    RunsAside(const RunsAside&) = delete;
+    RunsAside& operator=(const RunsAside&) = delete;
+
+    static bool exists();
+
+  private:
+    bool before_;  // whether there was another one
 };
 
 // The most processor time in seconds, and the most memory in bytes, for a compiler, because code

@@ -37,9 +37,22 @@ WaitingLine::~WaitingLine() {
     if (is_shown_) print("\r\033[K");
 }
 
+namespace {
+std::function<void(const std::string&)> listener;
+}
+
+Overhears::Overhears(std::function<void(const std::string&)> listen) {
+    listener = std::move(listen);
+}
+
+Overhears::~Overhears() {
+    listener = nullptr;
+}
+
 void print(const std::string& text) {
     std::fputs(text.c_str(), stdout);
     std::fflush(stdout);
+    if (listener) listener(text);
 }
 
 std::string green(const std::string& text) {

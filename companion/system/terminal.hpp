@@ -1,12 +1,22 @@
 #pragma once
 // What a terminal can do beyond printing lines.
 
+#include <functional>
 #include <string>
 
 namespace companion {
 
 // Prints to the standard output, without delay.
 void print(const std::string& text);
+
+// While one of these exists, what is printed is also told to `listen`.
+class Overhears {
+  public:
+    explicit Overhears(std::function<void(const std::string&)> listen);
+    ~Overhears();
+    Overhears(const Overhears&) = delete;
+    Overhears& operator=(const Overhears&) = delete;
+};
 
 // The text in color, if the standard output is a terminal that has colors and NO_COLOR is not set;
 // otherwise the unchanged text. Color never carries information by itself.

@@ -154,33 +154,69 @@ TEST_CASE("a loop that ends before its statements is told where its variable is 
 TEST_CASE("the missing include of a name that is not known is told", "[build]") {
     const Course course = this_course();
     const fs::path file = "solutions/03_sphere/rt/hit_sphere.hpp";
-    const auto told = [&](const std::string& what, const std::string& notes = {}) {
+    const auto told = [&](const std::string& what, const std::string& line,
+                          const std::string& notes = {}) {
         const std::string error = first_error(
-            course, file.string() + ":3:5: error: " + what + "\n    3 | it\n" + notes, {file});
-        const auto at = error.find("\n  ", error.find("3 | it"));
+            course, file.string() + ":3:5: error: " + what + "\n    3 | " + line + '\n' + notes,
+            {file});
+        const auto at = error.find("\n  ", error.find("3 | "));
         CHECK(plain_words(error).empty() == (at != std::string::npos));
         return at == std::string::npos ? "" : error.substr(at + 3);
     };
     const std::string length = "add #include <rt/length.hpp>, which declares length";
-    CHECK(told("'length' was not declared in this scope; did you mean 'tenth'?") == length);
-    CHECK(told("use of undeclared identifier 'length'") == length);
-    CHECK(told("there are no arguments to 'length' that depend on a template parameter") == length);
-    CHECK(told("no member named 'length' in namespace 'rt'") == length);
-    CHECK(told("'Camera' does not name a type") ==
+    const std::string call = "return length(a);";
+    CHECK(told("'length' was not declared in this scope; did you mean 'tenth'?", call) == length);
+    CHECK(told("use of undeclared identifier 'length'", call) == length);
+    CHECK(told("there are no arguments to 'length' that depend on a template parameter", call) ==
+          length);
+    CHECK(told("no member named 'length' in namespace 'rt'", call) == length);
+    CHECK(told("'Camera' does not name a type", "Camera camera;") ==
           "add #include <rt/camera.hpp>, which declares Camera");
+    // A variable, and a function that is in another namespace.
+    CHECK(told("'length' was not declared in this scope", "length = 2;").empty());
+    CHECK(told("'nearest' was not declared in this scope", "nearest(x);").empty());
+    CHECK(told("'tan' was not declared in this scope", "tan(x);").empty());
     // It is not in a header, in a later chapter's, in the file itself, or in one that is included.
     for (const char* const name : {"lenght", "refract", "hit_sphere", "dot"}) {
         INFO(name);
-        CHECK(told("'" + std::string{name} + "' was not declared in this scope").empty());
+        CHECK(told("'" + std::string{name} + "' was not declared in this scope",
+                   std::string{name} + "(a);")
+                  .empty());
     }
     // The standard library's is meant, and not that of <rt/pack.hpp>.
     const fs::path later = "solutions/07_bvh/rt/hit_box.hpp";
-    CHECK(first_error(course, later.string() + ":3:5: error: 'max' was not declared\n    3 | it\n",
+    CHECK(first_error(course,
+                      later.string() + ":3:5: error: 'max' was not declared\n    3 | max(a, b)\n",
                       {later})
               .find("add #include") == std::string::npos);
-    CHECK(told("'vector' is not a member of 'std'",
+    CHECK(told("'vector' is not a member of 'std'", "std::vector<int> v;",
                "a.hpp:1:1: note: 'std::vector' is defined in header '<vector>'; this is\n") ==
           "add #include <vector>, which declares std::vector");
+}
+
+TEST_CASE("a formula's name is told to be a member of a parameter", "[build]") {
+    const Course course = this_course();
+    const auto told = [&](const std::string& file, const std::string& name,
+                          const std::string& line) {
+        return first_error(
+            course,
+            file + ":3:5: error: '" + name +
+                "' was not declared in this scope; did you mean 'wcwidth'?\n    3 | " + line + '\n',
+            {file});
+    };
+    const std::string pixel = "solutions/02_camera/rt/pixel.hpp",
+                      ppm = "solutions/03_sphere/rt/ppm.hpp", start = ":3:5: error: '";
+    for (const std::string name : {"width", "height"}) {
+        CHECK(told(pixel, name, "x / " + name + ';') ==
+              pixel + start + name + "' was not declared in this scope\n    3 | x / " + name +
+                  ";\n  write `camera." + name + '`');
+        CHECK(told(ppm, name, "out << " + name + ';').find("\n  write `image." + name + "()`") !=
+              std::string::npos);
+    }
+    // A variable without its type, a misspelled name, and a parameter of a constructor.
+    for (const char* const name : {"width", "widht", "fill"})
+        CHECK(told(ppm, name, std::string{name} + " = 3;").find("write `") == std::string::npos);
+    CHECK(told(ppm, "fill", "x + fill;").find("write `") == std::string::npos);
 }
 
 TEST_CASE("a tracer that includes a header is told of its namespace", "[build]") {

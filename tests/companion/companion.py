@@ -140,7 +140,7 @@ class Companion(unittest.TestCase):
                 cmake += self.answer(target, f"01_tiny/rt/{name}.hpp")
         programs = [f"01_tiny_{kind}{study}" for kind in ("mine", "solution")
                     for study in ("", "_study", "_float_study")]
-        for program in [*programs, "09_own_solution"]:
+        for program in [*programs, "01_tiny_follow", "09_own_solution"]:
             cmake += self.program(program)
         cmake += "add_custom_target(own_start)\n"
         for target in ("02.1", "02.1.float"):
@@ -149,7 +149,8 @@ class Companion(unittest.TestCase):
         self.put("docs/hints/01-tiny.md", hints)
         self.put("CMakeLists.txt", cmake)
         self.put("check.sh", CHECK)
-        self.put("program.sh", '#!/bin/sh\necho "program $*"\n'
+        self.put("program.sh", '#!/bin/sh\n[ "$1" != --describe ] || { echo "{}"; exit; }\n'
+                 '[ "$1" != --quiet ] || { printf "P3 1 1 255 0 0 0" >"$3"; exit; }\necho "program $*"\n'
                  '[ "$1" != --study ] || echo study,variant,precision,x,x_name,error,error_name,cost,cost_name '
                  '>"$2/01_tiny.csv"\n[ "$3" != --fail ] || exit 3\n'
                  '[ "$3" != --crash ] || kill -SEGV $$\n'
@@ -186,6 +187,7 @@ class Companion(unittest.TestCase):
 
     def put_course(self, *chapters):
         self.put("course.json", json.dumps({"chapters": chapters}))
+        self.put("docs/studies/captions.json", json.dumps({"axes": {}, "studies": {}}))
 
     def add_second_chapter(self):
         stub = (STUB % (1, 1)).replace("01.1", "02.1")
@@ -306,9 +308,9 @@ class Companion(unittest.TestCase):
         (self.root / "empty").mkdir()
         self.course("own", "new", str(self.root / "empty"))
         self.course("own", code=2)
-        for words in (["--rung", "11"], ["--rung", "0"], ["--rung", "-1"], ["--seed", "-1"], ["--seed", "x"]):
+        for words in (["--step", "11"], ["--step", "0"], ["--step", "-1"], ["--seed", "-1"], ["--seed", "x"]):
             self.assertEqual(self.course("own", "judge", str(folder), *words, code=2).count("\n"), 1)
-        self.assertIn("rung1, rung2", self.course("own", "judge", str(folder), "--part", "x", code=2))
+        self.assertIn("step1, step2", self.course("own", "judge", str(folder), "--part", "x", code=2))
         self.assertIn("own judge", self.course("check", "09", code=2))
 
     def test_own_judge_says_in_one_line_why_there_is_no_program(self):
@@ -316,7 +318,7 @@ class Companion(unittest.TestCase):
         folder = self.root / "tracer"
         self.assertIn("x build.sh\n    there is no folder", self.course("own", "judge", str(folder), code=1))
         self.course("own", "new", str(folder))
-        said = self.course("own", "judge", str(folder), "--rung", "1", code=1)
+        said = self.course("own", "judge", str(folder), "--step", "1", code=1)
         self.assertIn("x build.sh\n    build.sh: exit code 1", said)
         self.assertIn("0 of 1 lines pass", said)
 
@@ -326,20 +328,20 @@ class Companion(unittest.TestCase):
         self.course("own", "new", str(folder))
         self.assertIn("09_own           [..........] not judged yet, 1.0 hours\n", self.course())
         self.put("tracer/build.sh", "cp '%s' own && chmod +x own\n" % (self.root / "program.sh"))
-        said = self.course("own", "judge", str(folder), "--rung", "1", "--seed", "5")
-        self.assertIn("+ rung 1: a sky and nothing else\n", said)
-        self.assertIn("Next: ./course own judge %s --rung 2" % folder, said)
+        said = self.course("own", "judge", str(folder), "--step", "1", "--seed", "5")
+        self.assertIn("+ step 1: a sky and nothing else\n", said)
+        self.assertIn("Next: ./course own judge %s --step 2" % folder, said)
         self.assertIn("--seed 5", said)
         self.assertIn("not judged yet", self.course())  # a part of the verdict is none
         said = self.course("own", "judge", str(folder), code=1)
         self.assertRegex(said, r"(\d+ of \d+ lines) pass")
         lines = re.search(r"(\d+ of \d+ lines) pass", said)[1]
-        self.assertIn("x rung 3: --seed\n    two different seeds give the same bytes", said)
+        self.assertIn("x step 3: --seed\n    two different seeds give the same bytes", said)
         # What it looked at is kept until the next verdict.
-        again = '"%s/own" out/judge/rung_3_seed/scene.txt out/judge/rung_3_seed/again.ppm --seed 2' % folder
+        again = '"%s/own" out/judge/step_3_seed/scene.txt out/judge/step_3_seed/again.ppm --seed 2' % folder
         self.assertIn("    Draw it again:     %s\n" % again, said)
-        self.assertIn("picture ", (self.root / "out/judge/rung_3_seed/scene.txt").read_text())
-        self.course("own", "judge", str(folder), "--rung", "1")
+        self.assertIn("picture ", (self.root / "out/judge/step_3_seed/scene.txt").read_text())
+        self.course("own", "judge", str(folder), "--step", "1")
         self.assertFalse((self.root / "out/judge").exists())
         self.assertIn("09_own           [", self.course())
         self.assertIn("] %s pass, 1.0 hours" % lines, self.course())
@@ -384,13 +386,13 @@ class Companion(unittest.TestCase):
         state.write_text(json.dumps(record))
         self.assertIn("your own ray tracer passes", self.course())
         said = self.course("certify", code=3)
-        self.assertIn("x rung 3: --seed\n", said)
+        self.assertIn("x step 3: --seed\n", said)
         self.assertFalse(json.loads(state.read_text())["own"]["core"])
         for name in ("", "gone"):
             record["own"].update(hash="", folder=str(self.root / name))
             state.write_text(json.dumps(record))
             said = self.course("certify", code=3)
-            self.assertNotIn("rung", said.replace("rungs", ""))
+            self.assertNotIn("step", said.replace("steps", ""))
             self.assertIn("not judged yet", said)
 
     def test_certify_checks_an_elective_in_float_too(self):
@@ -521,7 +523,7 @@ class Companion(unittest.TestCase):
 
     def test_the_next_step_may_be_a_graft(self):
         chapter = self.chapter("01_tiny", self.facts)
-        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "steps": [1], "headers": ["one.hpp"]}
         self.put("course.json", json.dumps({"chapters": [chapter], "route": ["01.2", "graft 01", "01.1"]}))
         self.write("two", "right\n")
         for words, code in ((["check", "01.2"], 0), (["check", "01"], 3), (["certify"], 3), (["list"], 0)):
@@ -529,7 +531,7 @@ class Companion(unittest.TestCase):
         with self.watched("01") as terminal:
             terminal.expect("Next: .*graft 01, Any")
             terminal.expect("check  ./course tracer")
-            terminal.expect("Then, in this window:")
+            terminal.expect("Then:")
             terminal.expect("Next: .*01.1 Number one")
             terminal.press("q")
             self.assertEqual(terminal.end(), 0)
@@ -605,7 +607,7 @@ class Companion(unittest.TestCase):
         said = self.course("check", code=1)
         self.assertLess(time.time() - started, 20)
         self.assertIn("It was stopped: it timed out after 4 s in the test case\n  01.1 the answer is right\n"
-                      "  Does it wait for a lock that is never released", said)
+                      "  Which loop or recursion never ends?", said)
         self.assertRegex(said, r"\+ 01.2 .* done")
 
     def test_check_tells_an_endless_loop(self):
@@ -858,19 +860,44 @@ class Companion(unittest.TestCase):
         run("All of the code is yours.")
         before = (self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns
         self.write("two", "wrong\n")
-        run("Yours: 01.1. The solution's: 01.2.")
+        run("Yours: 01.1. The solution's: 01.2. It stands in for 01.2, which does not pass yet.\n"
+            "With your code as it is: ./course run 01 --mine\n")
         self.assertIn("// solution 2", code("two"))
         self.assertEqual((self.root / "build/yours/rt/one.hpp").stat().st_mtime_ns, before)
 
-    def test_compare_says_what_is_no_mistake(self):
-        # A program that draws the brightness that its code has: 10, or that after "draws".
+    def write_program_that_draws(self):
+        """Makes a program that draws the brightness that its code has: 10, or that after "draws"."""
         self.put("program.sh", '''#!/bin/sh
 [ "$1" != --describe ] || { echo '{"width": "2", "height": "1"}'; exit; }
 bright=10
 case $0 in *_mine) found=$(sed -n 's/.*draws //p' "${0%/bin/*}"/yours/rt/*.hpp); bright=${found:-10} ;; esac
-printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
+while [ "$1" != --out ]; do shift; done
+printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$2"
 ''')
         os.chmod(self.root / "program.sh", 0o755)
+
+    def test_compare_and_run_say_that_wrong_code_draws_something_else(self):
+        self.write_program_that_draws()
+        self.write("one", "right\n")
+        self.write("two", "wrong, and draws 99\n")
+        said = self.course("compare", "01")
+        self.assertIn("It stands in for 01.2, which does not pass yet.\n"
+                      "With your code as it is: ./course compare 01 --mine\n", said)
+        self.assertIn("bit for bit", said)
+        said = self.course("compare", "01", "--mine", code=1)
+        self.assertIn("These do not pass yet, but are used anyway: 01.2.", said)
+        self.assertIn("01_tiny: It differs from the solution's.\n", said)
+        self.assertNotIn("Drawing it again", said)
+        self.assertEqual(self.course("run", "01"), "01_tiny: The same as the solution's, bit for bit.\n")
+        self.assertEqual(self.course("run", "01", "--mine"),
+                         "01_tiny: It differs from the solution's. Where: ./course compare 01 --mine\n")
+        self.assertEqual(self.course("run", "01", "--out", "a.ppm"), "")
+        self.write("two", "star one open\n// draws 99\n")
+        self.assertEqual(self.course("run", "01"), "01_tiny: It differs from the solution's. "
+                         "Where, and whether it may: ./course compare 01\n")
+
+    def test_compare_says_what_is_no_mistake(self):
+        self.write_program_that_draws()
 
         def compare(code):
             done = subprocess.run([COURSE, "compare", "01"], env=self.environment, text=True,
@@ -899,6 +926,16 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.put_course(self.chapter("01_tiny", self.facts))
         self.assertIn("01.2 has several right answers.", compare(0))
 
+    def test_the_first_program_is_compiled_and_drawn(self):
+        self.put("exercises/00_toolchain/first.cpp", '#include <iostream>\nint main() { std::cout << "P3\\n1 1\\n255\\n1 2 3\\n"; }\n')
+        self.assertEqual(self.course("run", "00.1"), "Your picture: out/00_first.png\n")
+        self.assertTrue((self.root / "out/00_first.png").exists())
+        self.put("exercises/00_toolchain/first.cpp", "int main() { return }\n")
+        done = subprocess.run([COURSE, "run", "00.1"], env=self.environment, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("exercises/00_toolchain/first.cpp:1:", done.stderr)
+        self.assertIn("first.cpp does not compile", done.stderr)
+
     def test_run_mine_takes_what_fails_too(self):
         def run(words, *options):
             done = subprocess.run([COURSE, "run", "01", *options], env=self.environment, text=True,
@@ -923,7 +960,8 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.write("two", "right\n")
         run("All of the code is yours.", "--mine")
         self.write("one", "wrong\n")
-        run("Yours: 01.2. The solution's: 01.1.")
+        run("Yours: 01.2. The solution's: 01.1. It stands in for 01.1, which does not pass yet.\n"
+            "With your code as it is: ./course run 01 --mine")
         self.assertIn("// solution 1", code("one"))
         # What the program says of a stub ends as usual.
         self.course("run", "01", "--mine", "--fail", code=3)
@@ -971,6 +1009,53 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
         self.assertEqual(crashed.returncode, 1)
         self.assertIn("./course check 01", crashed.stderr)
+
+    def test_run_follows_the_light_of_a_sample(self):
+        self.put("program.sh", r"""#!/bin/sh
+case $* in *--describe) echo '{"spp": "100"}'; exit ;; esac
+printf 'P3 2 1 255 1 2 3 4 5 6' >"$3"
+case $0 in *_mine) shift 3; echo "$@" >"${0%/*}/../drawn"; exit ;; esac
+camera='camera\teye\t0 0 4\tu\t1 0 0\tv\t0 1 0\tw\t0 0 1\tviewport\t2 1\tcolumns\t2\trows\t1\tleft\t0\ttop\t0\toffset\t0.5 0.5\n'
+ray="$camera"'ray\torigin\t0 0 4\tdirection\t0 0 -1\n'
+case $COURSE_FOLLOW in
+'1 0 0') printf "$ray"'miss\n' >"$COURSE_TRAIL" ;;
+'1 0 2') printf "$ray" >"$COURSE_TRAIL"; kill -SEGV $$ ;;
+'1 0 3') echo 01.2 is still to be written >&2; exit 3 ;;
+'1 0 9') printf 'pixel\tsamples\t9\n' >"$COURSE_TRAIL" ;;
+esac
+""")
+        os.chmod(self.root / "program.sh", 0o755)
+        drawing = self.root / "out/01_tiny-follow.svg"
+        said = self.course("run", "01", "--follow", "1,0", "--depth", "5", "--spp", "64")
+        self.assertIn("Pixel 1,0, sample 0\n", said)
+        self.assertIn("   1 from (0, 0, 4) along (0, 0, -1)\n     meets nothing\nDrawn: out/01_tiny-follow.svg\n", said)
+        self.assertIn("data:image/png;base64,", drawing.read_text())
+        # The picture below the path has few samples.
+        self.assertEqual((self.root / "build/drawn").read_text(), "--depth 5 --spp 9\n")
+        self.course("run", "--follow", "1,0,0", "01", "--spp=4")
+        self.assertEqual((self.root / "build/drawn").read_text(), "--spp 4\n")
+        for words, error in (("1", "--follow takes a pixel's column and row"),
+                             ("1,0,x", "--follow takes a pixel's column and row"),
+                             ("5,0", "--follow 5,0 is outside of the picture: its columns are 0 to 1, and its rows 0 to 0"),
+                             ("0,0", "--follow 0,0: the program sends no ray through this pixel"),
+                             ("1,0,9", "--follow: there is no sample 9: those of the pixel 1,0 are 0 to 8")):
+            drawing.unlink(missing_ok=True)
+            self.assertIn(error, self.course("run", "01", "--follow", words, code=2))
+            self.assertFalse(drawing.exists())
+        self.assertIn("takes no --out", self.course("run", "01", "--follow", "1,0", "--out", "a.png", code=2))
+        self.assertIn("     the program crashed here: signal 11", self.course("run", "01", "--follow", "1,0,2", code=1))
+        self.assertEqual(self.course("run", "01", "--follow", "1,0,3", code=3), "")
+        # The picture may be the reason to look.
+        self.put("program.sh", (self.root / "program.sh").read_text().replace("*_mine) ", "*_mine) kill -SEGV $$; "))
+        said = self.course("run", "01", "--follow", "1,0")
+        self.assertIn("There is no picture below the path: 01_tiny: signal 11", said)
+        self.assertNotIn("<image", drawing.read_text())
+        # With code that fails, too.
+        self.write("one", "wrong\n")
+        self.course("run", "01", "--follow", "1,0")
+        self.assertIn("// solution 1", (self.root / "build/yours/rt/one.hpp").read_text())
+        self.course("run", "01", "--follow", "1,0", "--mine")
+        self.assertTrue((self.root / "build/yours/rt/one.hpp").read_text().endswith("wrong\n"))
 
     def test_what_a_program_prints_does_not_rule_the_terminal(self):
         self.put("program.sh", "#!/bin/sh\nprintf 'so \\033[2J\\033]0;title\\007far\\a\\nit goes'; "
@@ -1074,8 +1159,8 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.write("two", "wrong\n")
         self.put("build/mine/rt/old.hpp", "old\n")
         said = self.course("book", "--mine")
-        self.assertEqual(said, "Yours: 01.1. The solution's: 01.2.\nThe page to share is out/mine.html. It has no "
-                         "picture yet: draw the final scene with ./course run 08, then run ./course book --mine again.\n")
+        self.assertEqual(said, "Yours: 01.1. The solution's: 01.2. It stands in for 01.2, which does not pass yet.\n"
+                         "The page to share is out/mine.html. It has no picture yet: draw the final scene with ./course run 08, then run ./course book --mine again.\n")
         page = (self.root / "out/mine.html").read_text()
         self.assertIn("1 of 2 exercises pass", page)
         self.assertIn("Everything passed on one day", page)
@@ -1083,6 +1168,20 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertEqual([file.name for file in headers.iterdir()], ["one.hpp"])
         self.assertEqual((self.root / "build/mine/passed.txt").read_text(), "01.1\n")
         self.assertTrue((headers / "one.hpp").read_text().endswith("exercises/01_tiny/rt/one.hpp\"\nright\n"))
+
+        # What fails runs in figures only if it is named.
+        failing, as_it_is = self.root / "build/mine/failing.txt", self.root / "build/mine/as_it_is/rt"
+        self.assertFalse(failing.exists())
+        self.course("book", "--mine", "01.2")
+        self.assertEqual(failing.read_text(), "01.2\n")
+        self.assertEqual(sorted(file.name for file in as_it_is.iterdir()), ["one.hpp", "two.hpp"])
+        self.assertTrue((as_it_is / "two.hpp").read_text().endswith("wrong\n"))
+        self.assertEqual([file.name for file in headers.iterdir()], ["one.hpp"])
+        self.assertIn("01.1 passes, so the figures need no switch for it.\n", self.course("book", "--mine", "01.1"))
+        self.assertFalse(failing.exists())
+        self.write("two", STUB % (2, 2))
+        self.assertIn("01.2 cannot run yet; ./course check 01.2 says why", self.course("book", "--mine", "01.2", code=2))
+        self.write("two", "wrong\n")
 
         self.put("program.sh", "#!/bin/sh\n[ \"$1\" != --out ] || echo a picture $3 >\"$2\"\n")
         self.course("run", "01")
@@ -1176,16 +1275,20 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("All questions of chapter 02 are answered", self.course("ask", "02"))
         self.assertIn("All questions of chapter 01 are answered", self.course("ask", "01"))
 
-    def test_tracer_draws_beside_ours_and_in_false_colors(self):
+    def put_graft(self, **more):
+        """A course with a graft, our answer to it, and a scene; returns a tracer that draws something else."""
         chapter = self.chapter("01_tiny", self.facts)
-        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
-        self.put_course(chapter)
+        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "steps": [1], "headers": ["one.hpp"]}
+        self.put("course.json", json.dumps({"chapters": [chapter], **more}))
         self.put("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text() +
                  "add_custom_target(tracer.01 COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/ours.sh bin/tracer.01)\n")
         self.put("ours.sh", "#!/bin/sh\nprintf 'P3\\n2 1\\n255\\n9 9 9 9 9 9\\n' >\"$2\"\n")
         os.chmod(self.root / "ours.sh", 0o755)
         self.put("exercises/tracer/my.txt", "picture 2 1 1 1\n")
-        program = '#include <fstream>\nint main(int, char** w) { std::ofstream{w[2]} << "P3\\n2 1\\n255\\n1 2 3 4 5 6\\n"; }\n'
+        return '#include <fstream>\nint main(int, char** w) { std::ofstream{w[2]} << "P3\\n2 1\\n255\\n1 2 3 4 5 6\\n"; }\n'
+
+    def test_tracer_draws_beside_ours_and_in_false_colors(self):
+        program = self.put_graft()
         self.put("exercises/tracer/tracer.cpp", program)
 
         def tracer(*words):
@@ -1209,6 +1312,23 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         said = tracer("--show", "normal")
         self.assertIn("Your picture: out/tracer_show.png", said)
         self.assertNotIn("Graft", said)
+        # The light of a sample, by the program that is compiled with the recorder.
+        self.assertIn("--follow needs a tracer that reads a scene", tracer("--follow", "1,0"))
+        self.put("chapters/01_tiny/rt/tracer_call.hpp", "#pragma once\n")
+        self.put("exercises/tracer/tracer.cpp", "#include <rt/tracer_call.hpp>\n" + program)
+        self.assertIn("--follow 1,0: the program sends no ray through this pixel", tracer("--follow", "1,0"))
+        self.put("companion/follow/recorder/rt/tracer_call.hpp", """#include <cstdlib>
+#include <fstream>
+inline const bool told = [] {
+    std::ofstream{std::getenv("COURSE_TRAIL")} << "camera\\toffset\\t0 0\\tviewport\\t2 1\\n"
+        "ray\\torigin\\t0 0 4\\tdirection\\t0 0 -1\\nmiss\\n";
+    return true;
+}();
+""")
+        self.put("exercises/tracer/my.txt", "picture 2 1 64 1\n")
+        said = tracer("--follow", "1,0,3")
+        self.assertIn("\nPixel 1,0, sample 3\n", said)
+        self.assertIn("     meets nothing\nDrawn: out/tracer-follow.svg\n", said)
         # Begun from our answer, with what comes next.
         self.put("solutions/tracer/01.cpp", "ours\n")
         self.assertRegex(tracer("--from", "1"),
@@ -1217,7 +1337,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertEqual((self.root / "exercises/tracer/tracer.cpp").read_text(), "ours\n")
 
     def test_tracer_is_drawn_and_not_judged_until_the_next_graft_is_ready(self):
-        graft = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        graft = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "steps": [1], "headers": ["one.hpp"]}
         self.add_second_chapter()
         course = json.loads((self.root / "course.json").read_text())
         for chapter in course["chapters"]:
@@ -1234,6 +1354,17 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertTrue(said.startswith("Your tracer, on the way to graft 02\n"), said)
         self.assertIn("Your picture: out/tracer.png\n", said)
         self.assertIn("\nNext: 01.1 Number one", said)
+        self.assertIn("If you have done graft 02 already: ./course tracer --graft 02\n", said)
+        # It may be ahead, and read scenes, although the last graft that passed reads none.
+        course["chapters"][0]["graft"] = {**graft, "reads": "nothing"}
+        self.put("course.json", json.dumps({**course, "route": ["graft 01", "01.1", "graft 02", "01.2", "02.1"]}))
+        self.assertIn("No picture: ", self.course("tracer", code=1))
+        self.put("chapters/02_more/rt/tracer_call.hpp", "#pragma once\n")
+        tracer = (self.root / "exercises/tracer/tracer.cpp").read_text()
+        self.put("exercises/tracer/tracer.cpp", "#include <rt/tracer_call.hpp>\n" + tracer)
+        self.assertIn("Your picture: out/tracer.png\n", self.course("tracer"))
+        course["chapters"][0]["graft"] = graft
+        self.put("course.json", json.dumps({**course, "route": ["graft 01", "01.1", "graft 02", "01.2", "02.1"]}))
         for word in ("Beside ours", "Stuck", "passes"):
             self.assertNotIn(word, said)
         self.assertTrue(self.course("tracer", "--graft", "01", code=1).startswith("Graft 01: Any\n"))
@@ -1245,7 +1376,7 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
 
     def test_a_tracer_that_draws_for_ever_ends_with_the_companion(self):
         chapter = self.chapter("01_tiny", self.facts)
-        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "rungs": [1], "headers": ["one.hpp"]}
+        chapter["graft"] = {"title": "Any", "minutes": 1, "reads": "scene", "still": True, "steps": [1], "headers": ["one.hpp"]}
         self.put_course(chapter)
         self.put("exercises/tracer/tracer.cpp",
                  '#include <fstream>\n#include <unistd.h>\nint main() { std::ofstream{"started"} << 1; sleep(60); }\n')
@@ -1562,7 +1693,8 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.write("one", "right\n")
         for words in (["--nonsense"], ["--mine", "x"], ["x"]):
             self.assertEqual(self.script("book", *words, code=2),
-                             "course: book takes --mine, --serve, --url URL, --source URL or nothing\n")
+                             "course: book takes --mine, --mine NN.k, --serve, --url URL, --source URL or nothing\n")
+        self.assertIn("./course book --mine 01.2\n", self.script("book", "01.2", code=2))
         for words in (["--url"], ["--mine", "--source"]):
             self.assertEqual(self.script("book", *words, code=2), f"course: {words[-1]} needs a URL: https://...\n")
         self.put("tools/npm", "#!/bin/sh\nexit 1\n")  # found before the real one
@@ -1581,6 +1713,57 @@ printf 'P3\\n2 1\\n255\\n%s 0 0 0 0 0\\n' "$bright" >"$3"
         self.assertIn("The web book itself needs Node.js 18", said)
         self.assertTrue((self.root / "out/mine.html").exists())
         self.assertIn("the web book needs Node.js 18", self.script("book", code=1))
+
+    def put_tools(self, **tools):
+        """Shell scripts that are found before the real programs; a name's _ stands for -."""
+        for name, text in tools.items():
+            self.put(f"tools/{name.replace('_', '-')}", "#!/bin/sh\n" + text)
+            os.chmod(self.root / "tools" / name.replace("_", "-"), 0o755)
+        self.environment["PATH"] = f"{self.root}/tools:{os.environ['PATH']}"
+
+    def test_what_is_missing_or_broken_is_named(self):
+        self.use_script()
+        shutil.rmtree(self.root / "build")
+        # Neither a compiler that is old nor one that does not work is called the other.
+        for said, expected in (("echo >&2 \"error: invalid value 'c++20' in '-std=c++20'\"; exit 1", "is too old: g"),
+                               ("echo >&2 'xcrun: error: invalid path'; echo >&2; exit 1", "does not work; it says: xcrun: error: invalid path\n"),
+                               ("exit 9", "does not work; it says: nothing, and ends with exit code 9\n")):
+            self.put_tools(mycxx=said + "\n")
+            self.environment["CXX"] = "mycxx"
+            self.assertIn(expected, self.script("list", code=1))
+        del self.environment["CXX"]
+        self.put_tools(cmake="echo cmake version 3.18.4\n", apt_get="exit 1\n", sudo="exit 1\n")
+        self.assertIn("CMake 3.22 or newer is needed, and this machine has 3.18.4: install", self.script("list", code=1))
+        # Git Bash, which has no pacman, and another window of MSYS2, which has.
+        self.environment["MSYSTEM"] = "MINGW64"
+        if not shutil.which("pacman"):
+            self.assertIn("Git Bash has no compiler: install MSYS2", self.script("list", code=1))
+        self.put_tools(pacman=f"echo \"$@\" >>'{self.root}/asked'\nexit 1\n")
+        self.assertIn("open that with the name UCRT64, not MINGW64", self.script("list", code=1))
+        # MSYS2 gets LLVM's linker, if it lacks one.
+        self.environment["MSYSTEM"] = "UCRT64"
+        self.script("list", code=1)
+        asked = (self.root / "asked").read_text()
+        self.assertEqual("mingw-w64-ucrt-x86_64-lld" in asked, not shutil.which("ld.lld"))
+        self.assertIn("mingw-w64-ucrt-x86_64-cmake", asked)
+        # Arch: no new package lists without an upgrade of all packages.
+        del self.environment["MSYSTEM"]
+        (self.root / "asked").unlink()
+        for tool in ("apt-get", "dnf"):
+            (self.root / "tools" / tool).unlink(missing_ok=True)
+        self.put_tools(sudo="[ \"$1\" != -n ] || shift\n\"$@\"\n")
+        links = self.root / "links"  # all of this machine's programs but other package managers
+        links.mkdir()
+        for folder in os.environ["PATH"].split(":"):
+            for program in Path(folder).glob("*") if folder and Path(folder).is_dir() else ():
+                if program.name not in ("apt-get", "dnf", "zypper", "brew") and not (links / program.name).exists():
+                    (links / program.name).symlink_to(program)
+        self.environment["PATH"] = f"{self.root}/tools:{links}"
+        said = self.script("list", code=1)
+        self.assertIn("upgrade the system first: sudo pacman -Syu", said)
+        asked = (self.root / "asked").read_text()
+        self.assertIn("-S --noconfirm --needed", asked)
+        self.assertNotIn("-Sy", asked)
 
     def test_a_folder_that_cmake_cannot_build_in_is_said(self):
         for name in ('a"b', "a;b", "a#b", "a$b", "a\\b", "a[b", "a]b", "a<b", "a>b", "a|b", "a?b", "a:b", "a\nb", "a\n"):
@@ -1655,8 +1838,8 @@ cp "$folder/rt/one.hpp" "$result"
 mkdir -p check
 cat >"check/check.$1" <<END
 #!/bin/sh
-answer=\\$COURSE_ANSWER/answer.01.1
-[ -e "\\$answer" ] || answer='$2'
+answer=\\$(ls "\\$COURSE_ANSWER"/*answer.01.1* 2>/dev/null | head -n 1)  # libanswer.01.1.so
+[ -n "\\$answer" ] || answer='$2'
 event() { printf '%s\\\\n' "\\$COURSE_EVENTS \\$*" >&3; }
 event '{"event":"cases","cases":[{"name":"01.1 the answer is right"},{"name":"01.1 another"}]}'
 event '{"event":"begins","name":"01.1 the answer is right"}'
@@ -1707,6 +1890,26 @@ chmod +x "check/check.$1"
         self.assertEqual(sorted(said.index(part) for part in parts), [said.index(part) for part in parts])
         self.assertNotIn("comparing", said)
         self.assertFalse((self.root / "build/mistakes/01.1_meant").exists())
+
+    def test_the_test_case_that_catches_a_known_mistake_is_the_one_shown(self):
+        self.add_mistakes()
+        mistakes = (self.root / "tests/mistakes/01_tiny/01.1.md").read_text()
+        self.put("tests/mistakes/01_tiny/01.1.md", mistakes.replace(
+            "the meant\ncaught by: 01.1 the answer is right", "the meant\ncaught by: 01.1 another"))
+        begins = """event '{"event":"begins","name":"01.1 another"}'\n"""
+        check = (self.root / "check.sh").read_text()
+        self.put("check.sh", check.replace(begins, begins + """! grep -q meant "\\$answer" || \\
+    event '{"event":"failed","macro":"CHECK","expression":"more","expanded":"5 == 4","messages":[]}' || true
+if grep -q meant "\\$answer"; then event '{"event":"ends","passed":false,"output":""}'; exit 1; fi
+"""))
+        self.let("meant", "twin", "unlike", "passes")
+        self.write("one", "int f() {\n    return wrong + meant;\n}\n")
+        first, second = "01.1 the answer is right", "01.1 another"
+        for shown, other in ((first, second), (second, first)):  # unknown, then known
+            said = self.course("check", "01.1", code=1)
+            self.assertIn(f"one.hpp\n\n  {shown}\n    ", said)
+            self.assertIn(f"  Also failing:\n    {other}\n", said)
+            self.assertIn("This looks like: the meant\n", said)
 
     def test_a_save_ends_the_search_for_a_mistake(self):
         self.add_mistakes()

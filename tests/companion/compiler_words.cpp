@@ -75,6 +75,11 @@ TEST_CASE("the usual errors of compilers are told in plain words", "[compiler_wo
     CHECK(says("'min' was not declared in this scope", "`std::max(a, b)`"));
     CHECK(says("base operand of '->' has non-pointer type 'std::atomic<int>'",
                "write `name.member`"));
+    CHECK(says("return-statement with no value, in function returning 'std::optional<double>'",
+               "`return {};`"));
+    CHECK(says("non-void function 'f' should return a value", "`return {};`"));
+    CHECK(
+        says("unnecessary parentheses in declaration of 'm' [-Wparentheses]", "Name name{value}"));
     CHECK(says("request for member 'fetch_add' in 'next', which is of non-class type 'int'",
                "a plain number"));
     CHECK(says("member reference base type 'int' is not a structure or union", "a plain number"));
@@ -281,6 +286,21 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
     };
     says_of("return x ** 2;", "invalid type argument of unary '*' (have 'int')", "powers");
     says_of("return x ** 2;", "indirection requires pointer operand ('int' invalid)", "powers");
+    for (const char* const line :
+         {"x, y = f(3);", "(x, y) = f();", "[x, y] = rt::f();", "auto (x, y) = f();"}) {
+        says_of(line, "'x' was not declared in this scope", "`const auto [x, y] = f();`");
+        says_of(line, "use of undeclared identifier 'x'", "`const auto [x, y] = f();`");
+    }
+    for (const char* const line : {"x, y = f(3);", "Real x, y = f();", "const auto x, y = f();"})
+        says_of(line, "cannot convert 'Roots' to 'double' in initialization", "const auto [x, y]");
+    says_of("const auto [x, y] = f();", "'f' was not declared in this scope", "not known here");
+    says_of("Real x, y = f(2);", "'f' was not declared in this scope", "not known here");
+    for (const char* const type : {"lock_guard(m);", "lock_guard<std::mutex>(m);"})
+        says_of(std::string{"std::"} + type, "no matching function for call to 'lock_guard()'",
+                "The lock needs a name");
+    says_of("std::atomic<int> next; next.fetch_add(1);",
+            "request for member 'fetch_add' in 'next', which is of non-class type 'int'",
+            "std::atomic<int>");
     says_of("return x ^ 2;", "invalid operands of types 'double' and 'int' to binary 'operator^'",
             "powers");
     says_of("return x ^ 2;", "invalid operands to binary expression ('double' and 'int')",
@@ -410,4 +430,16 @@ TEST_CASE("what people write who know Python is told in plain words", "[compiler
     says_of("const Real x = (c + o) / w - 0.5;",
             "implicit conversion from 'rt::Real' {aka 'float'} to 'double' to match other operand",
             "in double");
+}
+
+TEST_CASE("the + and - of a diff are not code", "[compiler_words]") {
+    const auto says_of = [](const std::string& line) {
+        return plain_words("a.hpp:1:1: error: expected unqualified-id before '+' token\n" + line)
+                   .find("do not type them") != std::string::npos;
+    };
+    for (const char* const line :
+         {"    1 | +double f();", "+    double x = 1;", "  112 | -    use(c);"})
+        CHECK(says_of(line));
+    for (const char* const line : {"    1 |     + x;", "    1 |     -x;", "  112 | ++i;"})
+        CHECK_FALSE(says_of(line));
 }

@@ -133,7 +133,7 @@ TEST_CASE("a chapter is found by whatever a person calls it", "[course]") {
     CHECK(companion::find_chapter(here, "normals_aa").name == "04_normals_aa");
     for (const char* const name : {"", "99", "x", "2_camera", "../02_camera"})
         CHECK_THROWS_AS(companion::find_chapter(here, name), app::UsageError);
-    // The chapter of rungs has a command of its own.
+    // The chapter with a task has a command of its own.
     for (const char* const name : {"9", "09", "own"}) {
         std::string refusal;
         try {
@@ -145,17 +145,17 @@ TEST_CASE("a chapter is found by whatever a person calls it", "[course]") {
     }
 }
 
-TEST_CASE("a chapter of rungs has minutes and a scene in place of exercises", "[course]") {
+TEST_CASE("a chapter with a task has minutes and a scene in place of exercises", "[course]") {
     const companion::Course here = companion::this_course();
-    const auto rungs = companion::chapter_of_rungs(here);
-    REQUIRE(rungs);
-    CHECK(rungs->name == "09_own");
-    CHECK(rungs->minutes > 0);
-    CHECK(companion::find_chapter(here, "09", true).name == rungs->name);
-    CHECK(companion::fs::exists(here.build / rungs->scene));
+    const auto task = companion::chapter_of_task(here);
+    REQUIRE(task);
+    CHECK(task->name == "09_own");
+    CHECK(task->minutes > 0);
+    CHECK(companion::find_chapter(here, "09", true).name == task->name);
+    CHECK(companion::fs::exists(here.build / task->scene));
     std::size_t without = 0;  // exercises; or left out, because what they need is missing
     for (const Chapter& chapter : companion::every_chapter(here))
-        without += chapter.name == rungs->name || chapter.is_left_out();
+        without += chapter.name == task->name || chapter.is_left_out();
     CHECK(companion::every_chapter(here).size() == companion::chapters(here).size() + without);
     for (const Chapter& chapter : companion::chapters(here)) CHECK(chapter.has_exercises());
 }

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <app/errors.hpp>
+#include <atomic>
 #include <companion/model/exercise.hpp>
 #include <companion/model/source.hpp>
 #include <companion/model/stubs.hpp>
 #include <companion/system/files.hpp>
 #include <set>
+#include <thread>
 
 #include "catch.hpp"
 #include "temporary_folder.hpp"
@@ -68,6 +70,26 @@ TEST_CASE("every exercise has minutes and stubs that say so", "[exercises]") {
     for (const char* const name :
          {"", "1", "01", "01.99", "99.1", "x", ".", "01.1 ", "exercises/none.hpp"})
         CHECK_THROWS_AS(find_exercise(here, name), app::UsageError);
+}
+
+TEST_CASE("a file may go, and come back, while it is read", "[exercises]") {
+    const TemporaryFolder folder;
+    const fs::path file = folder / "one.hpp";
+    CHECK(text_if_there(file).empty());
+    const std::string text = "one\n";
+    std::atomic<bool> ends{false};
+    std::thread editor{[&] {
+        while (!ends) {
+            write_file(file, text);
+            fs::remove(file);
+        }
+    }};
+    bool is_right = true;
+    for (int i = 0; i < 20'000 && is_right; ++i)
+        CHECK_NOTHROW(is_right = text.rfind(text_if_there(file), 0) == 0);
+    CHECK(is_right);
+    ends = true;
+    editor.join();
 }
 
 // Only where nobody has written into the exercises.

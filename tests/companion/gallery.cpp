@@ -36,7 +36,9 @@ TEST_CASE("the gallery shows what there is of a chapter", "[gallery]") {
     CHECK(holds(html, "in 2 s"));
     CHECK(holds(html, "href=\"../docs/03-sphere.md\""));
     CHECK(holds(html, "href=\"study/03_sphere.csv\""));
-    CHECK(holds(html, "src=\"study/03_sphere-far-away.svg\""));
+    CHECK(
+        holds(html, "src=\"study/03_sphere-far-away.svg\" alt=\"A plot of the study: Far away\""));
+    CHECK(holds(html, "<figcaption>Far away</figcaption>"));
     CHECK_FALSE(holds(html, "book/index.html"));
     CHECK(holds(companion::gallery_html({}, true), "href=\"book/index.html\""));
     CHECK_FALSE(holds(html, "http:"));
@@ -51,7 +53,11 @@ TEST_CASE("the gallery shows the plots of the texts where nothing was measured",
     write_file(folder / "docs/studies/03_sphere.csv",
                "study,variant,precision,x,x_name,error,error_name,cost,cost_name\n"
                "Far away,v,double,1,n,0,ulp,1,ns\n");
+    write_file(
+        folder / "docs/studies/captions.json",
+        R"({"axes": {}, "studies": {"03_sphere": {"Far away": {"claim": "All is <right>"}}}})");
     const std::string html = companion::gallery_html({companion::collect(here, sphere, "")}, false);
+    CHECK(holds(html, "alt=\"All is &lt;right&gt;\""));
     CHECK(holds(html, "src=\"../docs/plots/03_sphere-far-away.svg\""));
     CHECK(holds(html, "./course study"));
     CHECK_FALSE(holds(html, "04_normals_aa"));

@@ -1,5 +1,5 @@
 // The model of how long the core takes, and what it says of the course's texts and answers. It is
-// stated in CONTRIBUTING.md.
+// stated in docs/hours.md.
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +23,7 @@ namespace {
 constexpr double words_a_minute = 130, a_formula = 0.5, a_figure = 0.5;
 constexpr double a_stub = 3, a_compiler = 10, a_failed_check = 5;
 constexpr double an_invented_line = 1.5, a_copied_line = 0.6, a_line_again = 1, a_design = 15;
-constexpr int lines_a_failed_check = 10, rungs_of_the_core = 6;
+constexpr int lines_a_failed_check = 10, steps_of_the_core = 6;
 
 // Formulas on lines of their own, or within a line where they say that things are equal or how they
 // compare; a single symbol within a line is read like a word.
@@ -174,15 +174,15 @@ double written_minutes(const Course& course, const Step& step) {
            lines_for_the_tracer(course, step) * a_copied_line;
 }
 
-// The chapter of rungs: its text, the task, and the whole program once more.
-double minutes_of_rungs(const Course& course, const Chapter& chapter) {
+// The chapter with a task: its text, the task, and the whole program once more.
+double minutes_of_task(const Course& course, const Chapter& chapter) {
     const auto read = [&](const fs::path& text) {
         return reading_of(read_file(course.root / text)).minutes();
     };
     const int lines =
         lines_to_write("", read_file(course.root / "tests/plain" / chapter.name / "main.cpp"));
     return read(chapter.text) + read("chapters/" + chapter.name + "/start/TASK.md") +
-           lines * a_line_again + rungs_of_the_core * a_failed_check;
+           lines * a_line_again + steps_of_the_core * a_failed_check;
 }
 
 // What stands on the way from step to step, in the route's order.
@@ -263,9 +263,9 @@ TEST_CASE("the minutes for writing are those of the plain answers", "[stubs]") {
         CHECK(stated >= 0.9 * counted - 2.5);
         CHECK(stated <= 1.25 * counted + 5);
     }
-    const auto own = chapter_of_rungs(here);
+    const auto own = chapter_of_task(here);
     REQUIRE(own);
-    const double counted = minutes_of_rungs(here, *own);
+    const double counted = minutes_of_task(here, *own);
     INFO(own->name << ": " << own->minutes << " minutes in course.json, " << counted
                    << " by the model");
     CHECK(own->minutes >= 0.9 * counted - 2.5);
@@ -286,7 +286,7 @@ TEST_CASE("the model, too, says at most 35 hours", "[stubs]") {
     double counted = 0;
     for (const Chapter& chapter : core_chapters(here)) counted += read_minutes(here, chapter);
     for (const Step& step : route(here)) counted += written_minutes(here, step);
-    counted += minutes_of_rungs(here, *chapter_of_rungs(here));
+    counted += minutes_of_task(here, *chapter_of_task(here));
     INFO(counted << " minutes by the model");
     CHECK(counted <= 35 * 60);
 }

@@ -1,5 +1,7 @@
 #include <app/errors.hpp>
 #include <companion/model/mistakes.hpp>
+#include <companion/model/source.hpp>
+#include <companion/system/files.hpp>
 #include <temporary_folder.hpp>
 
 #include "catch.hpp"
@@ -147,6 +149,22 @@ TEST_CASE("a mistake in code that the answer does not have is no guess", "[mista
     mistake.remarks["only if the answer has"] = "shadow|light";
     CHECK(may_be(mistake, "bool shadow = false;"));
     CHECK_FALSE(may_be(mistake, "double t = hit(sphere, eye, direction);"));
+    mistake.remarks["unless the answer has"] = "to_light";
+    CHECK(may_be(mistake, "bool shadow = false;"));
+    CHECK_FALSE(may_be(mistake, "bool shadow = hits(to_light);"));
+}
+
+TEST_CASE("each mistake may be in the answer that contains it", "[mistakes]") {
+    const Course course = this_course();
+    for (const Chapter& chapter : chapters(course))
+        for (const Mistake& mistake : read_mistakes(course, chapter)) {
+            if (chapter.number() == "09") continue;  // a program of its own
+            INFO(mistake.name);
+            std::string code;
+            for (const auto& [file, text] : edited_files(course, chapter.name, mistake))
+                code += code_of(text);
+            CHECK(may_be(mistake, code));
+        }
 }
 
 TEST_CASE("a mistake is no guess where its test case passes or its step is not reached",

@@ -36,8 +36,8 @@ TEST_CASE("every scene that is made up is a scene", "[own]") {
     const OwnProgram ours{OwnProgram::Existing{}, our_program()};
     for (const std::uint64_t seed : {1, 2}) {
         std::vector<OwnScene> scenes = hard_scenes(seed);
-        for (const Rung& rung : own_rungs(seed))
-            scenes.insert(scenes.end(), rung.scenes.begin(), rung.scenes.end());
+        for (const TaskStep& step : task_steps(seed))
+            scenes.insert(scenes.end(), step.scenes.begin(), step.scenes.end());
         scenes.push_back(shared_corner(seed));
         scenes.push_back(fine_mesh(seed, 64));
         scenes.push_back({"twins", crowd_with_twins(seed, 8, 8), ""});
@@ -76,10 +76,10 @@ TEST_CASE("our program refuses what is broken", "[own]") {
 }
 
 TEST_CASE("the same seed makes the same scenes, another seed makes others", "[own]") {
-    const auto text = [](std::uint64_t seed) { return own_rungs(seed)[2].scenes[0].text; };
+    const auto text = [](std::uint64_t seed) { return task_steps(seed)[2].scenes[0].text; };
     CHECK(text(5) == text(5));
     CHECK(text(5) != text(6));
-    CHECK(own_rungs(1).size() == 10);
+    CHECK(task_steps(1).size() == 10);
     CHECK(crowd(1, 8, 8).find("nan") == std::string::npos);
 }
 
@@ -173,14 +173,14 @@ TEST_CASE("a folder that is not that of one program is not read whole", "[own]")
     CHECK(holds(lines[0].actual, "holds too much for one program"));
 }
 
-TEST_CASE("the core of chapter 09 is rungs 1 to 6", "[own]") {
+TEST_CASE("the core of chapter 09 is steps 1 to 6", "[own]") {
     const auto is_core_line = [](const char* name) {
         JudgedLine line;
         line.what = name;
         return is_core(line);
     };
-    for (const char* name : {"rung 1: a sky", "rung 6: a glass ball"}) CHECK(is_core_line(name));
-    for (const char* name : {"rung 7: a lens", "hard: far away", "build.sh", "rung 10: more"})
+    for (const char* name : {"step 1: a sky", "step 6: a glass ball"}) CHECK(is_core_line(name));
+    for (const char* name : {"step 7: a lens", "hard: far away", "build.sh", "step 10: more"})
         CHECK_FALSE(is_core_line(name));
 }
 

@@ -1,3 +1,7 @@
+#ifdef __linux__
+#include <sched.h>
+#endif
+
 #include <chrono>
 #include <companion/check/test_results.hpp>
 #include <companion/model/course.hpp>
@@ -321,6 +325,32 @@ TEST_CASE("what never ends is stopped, and its hints are kept", "[test_results]"
         CHECK(tests[0].failures[0].messages.back().text.rfind("Hint: ", 0) == 0);
     }
 }
+
+#ifdef __linux__
+TEST_CASE("a loop on a busy machine is not taken for waiting", "[test_results]") {
+    // It shares a core with a loop of a higher priority, which leaves it 3 %.
+    cpu_set_t cores;
+    REQUIRE(sched_getaffinity(0, sizeof cores, &cores) == 0);
+    int core = 0;
+    while (!CPU_ISSET(core, &cores)) ++core;
+    const auto on_one_core = [&](std::vector<std::string> command, double seconds) {
+        command.insert(command.begin(), {"taskset", "-c", std::to_string(core)});
+        return companion::run_process(
+            {.command = command, .output = companion::Output::errors_hidden, .timeout = seconds});
+    };
+    companion::Result loop;
+    companion::in_parallel(2, [&](std::size_t i) {
+        if (i == 0)
+            on_one_core({"sh", "-c", "while :; do :; done"}, 9);
+        else
+            loop = on_one_core(
+                {"nice", "-n", "15", this_program(), "endless: loop", "-r", "events"}, 8);
+    });
+    const auto tests = read_report(loop.output);
+    REQUIRE(tests.size() == 1);
+    CHECK(tests[0].waited == 0);
+}
+#endif
 
 TEST_CASE("a crash says which memory was used", "[test_results]") {
     for (const std::string memory : {"null", "stack"}) {

@@ -1,5 +1,7 @@
 #include <companion/check/verdict_text.hpp>
 
+#include <csignal>
+
 #include "catch.hpp"
 
 using namespace companion;
@@ -83,6 +85,60 @@ TEST_CASE("what helps only if the code crashes is told only then", "[verdict_tex
     CHECK(has(fails, "a leaf"));
     test.crash = "SIGSEGV";
     CHECK(has(told(Crashed{{test}}), "Hint, if this crashes: return"));
+}
+
+TEST_CASE("locks and threads are named from chapter 06 on", "[verdict_text]") {
+    const auto told_in = [](const std::string& exercise, bool waits) {
+        Checked checked;
+        checked.exercise = {.id = exercise, .title = "One", .chapter = {}, .files = {"a.hpp"}};
+        checked.verdict = Endless{{}, "it waited for 3 s without finishing", waits};
+        return details(checked);
+    };
+    CHECK(has(told_in("05.6", true), "Which loop or recursion never ends?"));
+    CHECK(has(told_in("06.2", false), "Which loop or recursion never ends?"));
+    CHECK(has(told_in("06.2", true), "Does it wait for a lock"));
+    CHECK_FALSE(has(told_in("05.6", true), "lock"));
+
+    Tested aborted;
+    aborted.exercise = "05.6";
+    aborted.result.signal = SIGABRT;
+    CHECK_FALSE(has(aborted.trouble(), "thread"));
+    aborted.exercise = "12.1";
+    CHECK(has(aborted.trouble(), "a std::thread was destroyed"));
+}
+
+TEST_CASE("a loop that a busy machine slows down does not wait", "[verdict_text]") {
+    Tested tested;
+    tested.result.timed_out = true;
+    tested.result.seconds = 20;
+    tested.result.cpu_seconds = 2;
+    CHECK_FALSE(tested.waited());
+    tested.result.cpu_seconds = 0.1;
+    CHECK(tested.waited());
+}
+
+TEST_CASE("the most telling test case is shown, and the others are named", "[verdict_text]") {
+    Checked checked;
+    checked.verdict =
+        Failing{{failing("many", "1 == 2"), failing("few", "3 == 4"), failing("one", "5 == 6")}};
+    const auto shows = [&](const std::string& telling, const std::string& shown,
+                           const std::string& others) {
+        return has(details(checked, telling), "  " + shown + "\n    checked:") &&
+               has(details(checked, telling), "Also failing:\n" + others);
+    };
+    CHECK(shows("", "many", "    few\n    one\n"));
+    CHECK(shows("one", "one", "    many\n    few\n"));
+    CHECK(shows("another", "many", "    few\n    one\n"));
+}
+
+TEST_CASE("a line that drops a fraction is shown where the core fails", "[verdict_text]") {
+    Checked checked;
+    checked.slip = "a.hpp:3: `1 / 2` divides whole numbers";
+    checked.verdict = Failing{{failing("x", "1 == 2")}};
+    CHECK(
+        has(details(checked), "Look at this line:\n    a.hpp:3: `1 / 2` divides whole numbers\n"));
+    checked.verdict = Passed{};
+    CHECK_FALSE(has(details(checked), "Look at"));
 }
 
 TEST_CASE("an exercise that is begun says what comes next", "[verdict_text]") {

@@ -74,6 +74,8 @@ void prepare_process() {
     const HANDLE out = ::GetStdHandle(STD_OUTPUT_HANDLE);
     DWORD mode = 0;
     if (!::GetConsoleMode(out, &mode)) return;
+    static const UINT before = ::GetConsoleOutputCP();  // which other programs may need later
+    std::atexit([] { ::SetConsoleOutputCP(before); });
     ::SetConsoleOutputCP(CP_UTF8);
     // Makes the console understand the codes for colors and for writing over a line.
     ::SetConsoleMode(out, mode | ENABLE_PROCESSED_OUTPUT | ENABLE_VIRTUAL_TERMINAL_PROCESSING);

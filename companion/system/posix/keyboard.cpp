@@ -1,4 +1,4 @@
-#include <poll.h>
+#include <sys/select.h>
 #include <termios.h>
 #include <unistd.h>
 
@@ -44,8 +44,12 @@ Keyboard::~Keyboard() {
 }
 
 std::optional<char> Keyboard::key(int milliseconds) {
-    pollfd from{STDIN_FILENO, POLLIN, 0};
-    if (at_end_ || ::poll(&from, 1, milliseconds) <= 0) return std::nullopt;
+    fd_set from;  // for select: Apple's poll does not know terminals
+    FD_ZERO(&from);
+    FD_SET(STDIN_FILENO, &from);
+    timeval left{milliseconds / 1000, milliseconds % 1000 * 1000};
+    if (at_end_ || ::select(STDIN_FILENO + 1, &from, nullptr, nullptr, &left) <= 0)
+        return std::nullopt;
     char key = 0;
     const ssize_t count = ::read(STDIN_FILENO, &key, 1);
     if (count == 1) return key;

@@ -94,6 +94,7 @@ struct Start {
     std::vector<char*> command;
     const char* folder;
     int out = -1, err = -1, events = -1;
+    bool is_aside = RunsAside::exists();
     sigset_t signals{};  // those that were blocked before
 };
 
@@ -108,6 +109,8 @@ void limit(int what, rlim_t most) {
     // The program gets a group and a session of its own: so it can be ended together with its whole
     // group, and cannot open the terminal.
     ::setsid();
+    constexpr int aside = 10;
+    if (start.is_aside) ::setpriority(PRIO_PROCESS, 0, aside);
 #ifdef __linux__
     // Linux may weigh sessions against each other, whatever the priority of their processes.
     if (const int nice = ::getpriority(PRIO_PROCESS, 0); nice > 0)
@@ -124,7 +127,7 @@ void limit(int what, rlim_t most) {
     if (start.err >= 0) ::dup2(start.err, STDERR_FILENO);
     if (start.events >= 0) ::dup2(start.events, 3);
     if (start.events == 3) ::fcntl(3, F_SETFD, 0);
-    std::signal(SIGXFSZ, SIG_DFL);  // the companion ignores it
+    for (const int signal : {SIGXFSZ, SIGPIPE}) std::signal(signal, SIG_DFL);  // ignored until here
     limit(RLIMIT_CPU, static_cast<rlim_t>(start.run.most_cpu));
     limit(RLIMIT_DATA, start.run.most_memory);
     limit(RLIMIT_FSIZE, start.run.most_file);
@@ -252,12 +255,16 @@ class Child {
             if (ends) end_politely(result);
             if (ends || result.too_much) {
                 ::shutdown(pipes_[0], SHUT_WR);
-                while (!is_over_) read_for(-1, result, most_output);
+                // A program that stops its keeper again and again loses it.
+                for (const double start = seconds(); !is_over_;) {
+                    if (seconds() - start > 5) ::kill(keeper_, SIGKILL);
+                    read_for(100, result, most_output);
+                }
                 break;
             }
-            const int wait = timeout > 0 ? static_cast<int>(std::min(1000 * left + 1, 1e6)) : -1;
-            constexpr int until_asked = 100;  // milliseconds
-            read_for(EndsRuns::exists() && (wait < 0 || wait > until_asked) ? until_asked : wait,
+            const double until_asked = EndsRuns::exists() ? 100 : 1000;  // milliseconds
+            read_for(static_cast<int>(timeout > 0 ? std::min(1000 * left + 1, until_asked)
+                                                  : until_asked),
                      result);
         }
         while (read_for(0, result)) {
@@ -292,7 +299,10 @@ class Child {
     bool read_for(int milliseconds, Result& result, std::size_t most = 0) {
         pollfd from[3]{};
         for (int i = 0; i < 3; ++i) from[i] = {pipes_[i], POLLIN, 0};  // poll ignores -1
-        if (::poll(from, 3, milliseconds) <= 0) return false;
+        if (::poll(from, 3, milliseconds) <= 0) {
+            ::kill(keeper_, SIGCONT);  // the program may have stopped it
+            return false;
+        }
         bool some = false;
         std::string* const texts[]{nullptr, &result.output, &result.events};
         for (int i = 1; i < 3; ++i) {

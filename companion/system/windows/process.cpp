@@ -381,9 +381,23 @@ Streams make_streams(const Run& run, bool is_shown) {
     return streams;
 }
 
-// Starts a program, all of which belongs to the job. An empty handle if that fails.
+// Why Windows did not start a program, and what can be done about it.
+std::string why_not_started() {
+    const DWORD error = ::GetLastError();
+    std::string words = last_error();
+    while (!words.empty() && (words.back() == '\n' || words.back() == '\r')) words.pop_back();
+    constexpr DWORD by_integrity_policy = 4551;  // of newer systems
+    if (error == ERROR_ACCESS_DISABLED_BY_POLICY || error == by_integrity_policy)
+        words +=
+            " Windows blocks programs that nobody has signed, such as those that you compile: turn "
+            "off Smart App Control (Windows Security, App & browser control), or work in WSL";
+    return words;
+}
+
+// Starts a program, all of which belongs to the job. An empty handle if that fails; then `why` says
+// why.
 Handle start(const fs::path& program, const Command& command, const fs::path& folder,
-             const Streams& streams, const Job& job) {
+             const Streams& streams, const Job& job, std::string& why) {
     STARTUPINFOEXW how{};
     STARTUPINFOW& info = how.StartupInfo;
     info.cb = sizeof how;
@@ -410,11 +424,15 @@ Handle start(const fs::path& program, const Command& command, const fs::path& fo
         std::wstring words = line;  // which the call may change
         is_started = ::CreateProcessW(
             program.c_str(), words.data(), nullptr, nullptr, TRUE,
-            CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT | EXTENDED_STARTUPINFO_PRESENT,
+            CREATE_SUSPENDED | CREATE_UNICODE_ENVIRONMENT | EXTENDED_STARTUPINFO_PRESENT |
+                (RunsAside::exists() ? BELOW_NORMAL_PRIORITY_CLASS : 0),
             environment.data(), fs::absolute(folder).c_str(), &info, &made);
         return is_started || !app::is_held(::GetLastError());
     });
-    if (!is_started) return {};
+    if (!is_started) {
+        why = why_not_started();
+        return {};
+    }
     const Handle thread{made.hThread};
     ::AssignProcessToJobObject(job.get(), made.hProcess);
     ::ResumeThread(made.hThread);
@@ -507,7 +525,7 @@ Result run_process(const Run& run) {
     if (run.passes_signals) passed_on = 0;
     std::optional<Listening> listens;
     if (run.passes_signals) listens.emplace();
-    Handle process = start(program, command, run.folder, streams, job);
+    Handle process = start(program, command, run.folder, streams, job, not_started.why_not_started);
     if (!process) return not_started;
     // From here on, these ends are open in the program alone, and what is read ends with it.
     streams.out.into.close();

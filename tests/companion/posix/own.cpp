@@ -43,7 +43,7 @@ bool holds(const std::string& text, const std::string& part) {
 
 TEST_CASE("a program that cannot be built is one line", "[own]") {
     const auto only = [](const std::string& build) {
-        const auto lines = verdict_on(build, "rung1");
+        const auto lines = verdict_on(build, "step1");
         REQUIRE(lines.size() == 1);
         CHECK_FALSE(lines[0].passed);
         CHECK(lines[0].actual.find('\n') == std::string::npos);
@@ -73,15 +73,15 @@ TEST_CASE("a tracer that draws nothing is not called own", "[own]") {
 }
 
 TEST_CASE("a program that draws nothing fails line by line", "[own]") {
-    CHECK(holds(verdict_on(program("exit 0"), "rung1").at(0).actual, "wrote no picture"));
-    CHECK(holds(verdict_on(program("echo too hard; exit 4"), "rung1").at(0).actual,
+    CHECK(holds(verdict_on(program("exit 0"), "step1").at(0).actual, "wrote no picture"));
+    CHECK(holds(verdict_on(program("echo too hard; exit 4"), "step1").at(0).actual,
                 "own: exit code 4: too hard"));
-    CHECK(holds(verdict_on(program("echo picture >$2"), "rung1").at(0).actual, "P3 or P6"));
-    CHECK(holds(verdict_on(program("kill -SEGV $$"), "rung1").at(0).actual, "signal 11"));
-    const JudgedLine small = verdict_on(program("printf \"P3 1 1 255 0 0 0\" >$2"), "rung1").at(0);
+    CHECK(holds(verdict_on(program("echo picture >$2"), "step1").at(0).actual, "P3 or P6"));
+    CHECK(holds(verdict_on(program("kill -SEGV $$"), "step1").at(0).actual, "signal 11"));
+    const JudgedLine small = verdict_on(program("printf \"P3 1 1 255 0 0 0\" >$2"), "step1").at(0);
     CHECK(holds(small.actual, "different size"));
     // A person may look at it, too.
-    CHECK(small.looked.scene == own_rungs(1)[0].scenes[0].text);
+    CHECK(small.looked.scene == task_steps(1)[0].scenes[0].text);
     REQUIRE(small.looked.pictures);
     CHECK(small.looked.pictures->mine.back().pixels() == 1);
 }
@@ -89,14 +89,14 @@ TEST_CASE("a program that draws nothing fails line by line", "[own]") {
 #ifdef __linux__
 TEST_CASE("a program that runs another is refused", "[own]") {
     for (const char* const script : {"cp /dev/null $2", "exec cp /dev/null $2", "(exit 4)"})
-        CHECK(verdict_on(program(script), "rung1").at(0).actual ==
+        CHECK(verdict_on(program(script), "step1").at(0).actual ==
               "own: it was stopped because it started another process");
 }
 #endif
 
 TEST_CASE("a program cannot write a picture of any size", "[own]") {
     const std::string blocks = std::to_string(most_picture / 512);  // as the shell counts
-    CHECK(verdict_on(program("ulimit -f; exit 4"), "rung1").at(0).actual ==
+    CHECK(verdict_on(program("ulimit -f; exit 4"), "step1").at(0).actual ==
           "own: exit code 4: " + blocks);
 }
 

@@ -32,6 +32,19 @@ TEST_CASE("a process's exit code and signal come back", "[process]") {
     CHECK(how_it_ended(missing) == "it could not be started");
 }
 
+TEST_CASE("what runs aside has a low priority, and no signal ignored", "[process]") {
+    const auto priority = [] { return run_process({.command = {"nice"}}).output; };
+    const std::string usual = priority();
+    {
+        const companion::RunsAside aside;
+        CHECK(priority() == "10\n");
+    }
+    CHECK(priority() == usual);
+    const auto before = std::signal(SIGPIPE, SIG_IGN);
+    CHECK(run_process({.command = {"sh", "-c", "kill -PIPE $$"}}).signal == SIGPIPE);
+    std::signal(SIGPIPE, before);
+}
+
 TEST_CASE("a process's output is captured in its order, errors too", "[process]") {
     CHECK(run_process({.command = {"sh", "-c", "echo one; echo two >&2; echo three"}}).output ==
           "one\ntwo\nthree\n");
@@ -73,6 +86,18 @@ TEST_CASE("a process that takes too long is ended with all that it started", "[p
     CHECK(how_it_ended(result) == "it timed out after 0 s");
     std::this_thread::sleep_for(std::chrono::milliseconds(1100));
     CHECK(folder.count() == 0);
+}
+
+TEST_CASE("a process cannot stop the one that waits for it", "[process]") {
+    const auto quick =
+        run_process({.command = {"sh", "-c", "kill -STOP $PPID; echo said"}, .timeout = 20});
+    CHECK(quick.ok());
+    CHECK(quick.output == "said\n");
+    CHECK(quick.seconds < 10);
+    const auto slow = run_process(
+        {.command = {"sh", "-c", "while :; do kill -STOP $PPID; done"}, .timeout = 0.3});
+    CHECK(slow.timed_out);
+    CHECK(slow.seconds < 20);
 }
 
 TEST_CASE("a process that leaves a child behind with its output open has still ended",
