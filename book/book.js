@@ -17,7 +17,19 @@ Promise.all([
     Promise.race([Promise.all(faces.map(face => document.fonts.load(face.replace(/\w+$/, '1rem $&')))),
                   new Promise(late => setTimeout(late, 300))]),
     new Promise(whole => document.addEventListener('DOMContentLoaded', whole)),
-]).finally(() => root.classList.remove('unpacks'));
+]).finally(() => {
+    roots();
+    root.classList.remove('unpacks');
+    document.fonts.ready.then(roots);
+});
+
+// Chromium makes a root wider than what is under it; the rest would be a hole in the line.
+function roots() {
+    const all = [...document.querySelectorAll('msqrt')];
+    const holes = all.map(one => (one.getBoundingClientRect().right - one.lastElementChild.getBoundingClientRect().right) /
+        parseFloat(getComputedStyle(one).fontSize));
+    all.forEach((one, i) => { if (holes[i] > 0.1) one.style.marginRight = `${0.05 - holes[i]}em`; });
+}
 
 function themeButton() {
     const button = document.querySelector('.theme');
@@ -34,8 +46,11 @@ function themeButton() {
 
 // ---- The search ----
 
-// Identifiers and numbers of exercises are one word each.
-const words = text => text.match(/\p{N}+(?:\.\p{N}+)+|[\p{L}\p{N}_]+/gu) ?? [];
+// Identifiers and numbers of exercises are one word each; anti-aliasing is found as antialiasing, too.
+const words = text => (text.match(/\p{N}+(?:\.\p{N}+)+|[\p{L}\p{N}_]+(?:-[\p{L}\p{N}_]+)*/gu) ?? [])
+    .flatMap(word => word.includes('-') ? [...word.split('-'), word.replaceAll('-', '')] : [word]);
+const stopWords = new Set(('a an and are as at be but by can could did do does doing for from get has have how i if in into is it its ' +
+    'make me my not of on or should so that the their them then there this to too use was what when where which why will with you your').split(' '));
 
 // The sections are many, so they are loaded only when somebody is about to search.
 let loading;
@@ -44,7 +59,7 @@ function load() {
         const script = document.createElement('script');
         script.src = 'assets/search.js';
         script.onload = () => {
-            const index = new MiniSearch({ fields: ['text', 'words', 'code'], tokenize: words });
+            const index = new MiniSearch({ fields: ['text', 'also', 'words', 'code'], tokenize: words });
             index.addAll(window.bookSections);
             resolve({ index, sections: new Map(window.bookSections.map(section => [section.id, section])) });
         };
@@ -54,31 +69,60 @@ function load() {
     return loading;
 }
 
-// Sections with all words: first those that have them exactly, then those with words that begin so; if there is none of
-// these, those in which a letter is another. Chapters come before what belongs to them.
+// Sections with all words come first: those that have them exactly, then those with words that begin so. Then come those
+// with some of them, the rarest first. A word that occurs nowhere may have another letter. Chapters come before what
+// belongs to them.
 function find(index, query) {
-    const search = options => index.search(query, {
-        combineWith: 'AND', boost: { text: 4, words: 1.5 },
+    const known = word => index.search(word, { prefix: true }).length > 0;
+    const asked = query.toLowerCase().split(/\s+/).flatMap(word => {
+        const joined = word.replaceAll('-', '');
+        return words(word.includes('-') && known(joined) ? joined : word.replaceAll('-', ' '));
+    });
+    const telling = asked.filter(word => !stopWords.has(word)), terms = telling.length > 0 ? telling : asked;
+    const unknown = new Set(terms.filter(word => !known(word)));
+    const search = options => index.search(terms.join(' '), {
+        boost: { also: 10, text: 4, words: 1.5 }, fuzzy: word => unknown.has(word) && word.length > 3 && 1,
         boostDocument: id => /-(mistakes|studies)\.html/.test(id) ? 0.4 : 1, ...options });
-    const found = new Map(search({}).map(one => [one.id, one]));
-    for (const one of search({ prefix: true })) if (!found.has(one.id)) found.set(one.id, one);
-    return found.size > 0 ? [...found.values()] : search({ fuzzy: term => term.length > 3 && 1 });
+    const found = new Map(search({ combineWith: 'AND' }).map(one => [one.id, one]));
+    for (const more of [{ combineWith: 'AND', prefix: true }, { combineWith: 'OR', prefix: true }])
+        for (const one of search(more)) if (!found.has(one.id)) found.set(one.id, one);
+    return [...found.values()];
 }
+
+// These words, with or without hyphens.
+const either = terms => new RegExp(`(?<![\\p{L}\\p{N}_])(?:${terms.map(term =>
+    [...term].map(letter => letter.replace(/[.*+?^${}()|[\]\\]/, '\\$&')).join('-?')).join('|')})(?![\\p{L}\\p{N}_])`, 'giu');
 
 // The part of a section where the first of the terms is, with all of them marked.
 function excerpt({ words, code }, terms) {
-    const either = new RegExp(`(?<![\\p{L}\\p{N}_])(?:${terms.map(term => term.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')).join('|')})(?![\\p{L}\\p{N}_])`, 'giu');
-    const text = [words, code].find(one => one.search(either) >= 0) ?? words;
-    const at = text.search(either), from = at < 50 ? 0 : text.indexOf(' ', at - 40) + 1;
+    const sought = either(terms);
+    const text = [words, code].find(one => one.search(sought) >= 0) ?? words;
+    const at = text.search(sought), from = at < 50 ? 0 : text.indexOf(' ', at - 40) + 1;
     const shown = (from > 0 ? '… ' : '') + text.slice(from, from + 150);
     const parts = [];
     let last = 0;
-    for (const match of shown.matchAll(either)) {
+    for (const match of shown.matchAll(sought)) {
         parts.push(shown.slice(last, match.index),
                    Object.assign(document.createElement('mark'), { textContent: match[0] }));
         last = match.index + match[0].length;
     }
     return [...parts, shown.slice(last)];
+}
+
+// What was searched for is marked on the page to which it led.
+function markSought() {
+    const { page, terms } = JSON.parse(stored.get('sought') ?? '{}');
+    if (!CSS.highlights || page !== location.pathname) return;
+    stored.set('sought', '{}');
+    const ranges = [];
+    for (const walker = document.createTreeWalker(document.querySelector('main'), NodeFilter.SHOW_TEXT); walker.nextNode();)
+        for (const { 0: { length }, index } of walker.currentNode.data.matchAll(either(terms))) {
+            const range = new Range();
+            range.setStart(walker.currentNode, index);
+            range.setEnd(walker.currentNode, index + length);
+            ranges.push(range);
+        }
+    CSS.highlights.set('sought', new Highlight(...ranges));
 }
 
 function search() {
@@ -109,6 +153,10 @@ function search() {
             const link = element('a', element('strong', section.text), element('small', section.page),
                                  element('span', ...excerpt(section, terms)));
             Object.assign(link, { href: id, id: `found-${i}`, tabIndex: -1 });
+            link.addEventListener('click', () => {
+                stored.set('sought', JSON.stringify({ page: link.pathname, terms }));
+                markSought();
+            });
             link.setAttribute('role', 'option');
             link.setAttribute('aria-selected', 'false');
             const item = element('li', link);
@@ -196,7 +244,7 @@ function copying() {
     for (const code of document.querySelectorAll('.code')) {
         const button = Object.assign(document.createElement('button'), { className: 'copy', type: 'button', textContent: 'Copy' });
         button.addEventListener('click', async () => {
-            await navigator.clipboard.writeText(code.querySelector('code').textContent);
+            await navigator.clipboard.writeText(code.dataset.copied ?? code.querySelector('code').textContent);
             button.textContent = 'Copied';
             setTimeout(() => { button.textContent = 'Copy'; }, 1500);
         });
@@ -204,33 +252,8 @@ function copying() {
     }
 }
 
-// The line between two pictures moves with the slider's thumb, and with the pointer on them.
 function sliders() {
-    for (const figure of document.querySelectorAll('.compare')) {
-        const slider = figure.querySelector('input'), pair = figure.querySelector('.pair');
-        const [wrong, right] = figure.querySelectorAll('.word');
-        const show = () => {
-            figure.style.setProperty('--at', `${slider.value}%`);
-            wrong?.style.setProperty('--seen', +(slider.value > 15));
-            right?.style.setProperty('--seen', +(slider.value < 85));
-        };
-        slider.addEventListener('input', show);
-        const drag = event => {
-            const box = pair.getBoundingClientRect();
-            slider.value = 100 * (event.clientX - box.left) / box.width;
-            show();
-        };
-        pair.addEventListener('pointerdown', event => {
-            if (event.button !== 0) return;
-            if (event.pointerType === 'mouse') event.preventDefault();  // else it would drag the image
-            pair.setPointerCapture(event.pointerId);
-            if (event.pointerType !== 'touch') drag(event);
-        });
-        pair.addEventListener('pointermove', event => {
-            if (pair.hasPointerCapture(event.pointerId)) drag(event);
-        });
-        pair.addEventListener('dragstart', event => event.preventDefault());
-    }
+    for (const figure of document.querySelectorAll('.compare')) slide(figure);
 }
 
 // Paper has nothing to unfold: whatever is folded is open while the page is printed.
@@ -280,20 +303,43 @@ function plots() {
     }
 }
 
+// The arrow keys lead to the page before and the one after, unless they move something.
+function turning() {
+    addEventListener('keydown', event => {
+        const relation = { ArrowLeft: 'prev', ArrowRight: 'next' }[event.key];
+        const plain = !(event.altKey || event.ctrlKey || event.metaKey || event.shiftKey || event.defaultPrevented);
+        if (relation && plain && !event.target.closest('input, select, textarea, figure, .scroll, [popover]'))
+            document.querySelector(`.steps [rel=${relation}]`)?.click();
+    });
+}
+
 // Whatever is wider than the page can be scrolled with the keyboard, and a table says so.
 function scrolling() {
+    let tables = 0;
     for (const wide of document.querySelectorAll('.scroll')) {
         if (wide.scrollWidth <= wide.clientWidth) continue;
         wide.tabIndex = 0;
         if (wide.matches('pre') || !wide.querySelector('table')) continue;
         wide.before(Object.assign(document.createElement('p'), { className: 'scrolls', textContent: 'This table scrolls sideways →' }));
         wide.setAttribute('role', 'region');
-        wide.setAttribute('aria-label', 'Table that scrolls sideways');
+        wide.setAttribute('aria-label', `Table ${++tables} that scrolls sideways`);
     }
 }
 
+// The lake in slices is drawn from left to right, once, when half of it is to be seen. Where motion is unwanted, it stays
+// as it is: see book.css.
+function lake() {
+    const picture = document.querySelector('img[src*="overview"]');
+    if (!picture) return;
+    new IntersectionObserver(([seen], observer) => {
+        if (!seen.isIntersecting) return;
+        picture.classList.add('drawn');
+        observer.disconnect();
+    }, { threshold: 0.5 }).observe(picture);
+}
+
 document.addEventListener('DOMContentLoaded', () => {
-    for (const begin of [themeButton, stars, search, copying, sliders, plots, folds, scrolling]) begin();
+    for (const begin of [themeButton, stars, search, markSought, copying, sliders, plots, folds, turning, scrolling, lake]) begin();
     document.querySelector('nav [aria-current]')?.scrollIntoView({ block: 'nearest' });
     contents();
 });

@@ -1,6 +1,7 @@
 // Makes the web book from docs/ and course.json: node book/build.mjs [FOLDER], out/book if no folder is named.
 //     --first HEADERS  the live figures use the headers of this folder before the solution's; its file passed.txt, if
-//                      there is one, names the exercises that pass, which are ticked
+//                      there is one, names the exercises that pass, which are ticked; if there is a failing.txt, it names
+//                      one that fails, whose headers, in the folder as_it_is beside the others, the figures run on demand
 //     --url URL        where the book is going to be: for the sitemap, and for other sites that show a link to it
 //     --source URL     where the files of the course can be read: for the links to a page's source
 // Every page works from a folder, without a server, and under any path on one: all links are relative.
@@ -39,7 +40,7 @@ function plotsOf({ name }) {
     if (!existsSync(join(root, table))) return [];
     const rows = read(table);
     return readdirSync(join(root, 'docs/plots')).filter(file => file.startsWith(`${name}-`)).map(file => {
-        const svg = read(`docs/plots/${file}`), study = /aria-label="(.*?)"/.exec(svg)[1];
+        const svg = read(`docs/plots/${file}`), study = /data-study="(.*?)"/.exec(svg)[1];
         return { id: file.slice(name.length + 1, -4), study, svg };
     }).sort((a, b) => rows.indexOf(a.study) - rows.indexOf(b.study));
 }
@@ -90,13 +91,20 @@ function shown(file, crop) {
 // ---- The live figures -------------------------------------------------------------------------
 
 const first = options.first && resolve(options.first), withoutFirst = new Set();
+const words = file => first && existsSync(join(first, file)) ? readFileSync(join(first, file), 'utf8').split(/\s+/).filter(Boolean) : [];
+// An answer that fails runs in the first chapter whose figures use it: compiling them all takes a minute.
+const [failing] = words('failing.txt'), asItIs = failing && join(first, 'as_it_is');
+const failsIn = failing && [...described.keys()].find(chapter => exercisesOf(chapter, asItIs).includes(failing));
 const compiled = await modules(
     described.keys(), chapters, join(root, 'out/book-cache'), first,
-    (chapter, error) => {
-        withoutFirst.add(chapter);
-        console.log(`chapter ${chapter}: its figures run the solution's code, because they do not compile with yours: ` +
+    (chapter, error, folder) => {
+        if (folder !== asItIs) withoutFirst.add(chapter);
+        console.log(`chapter ${chapter}: its figures ` +
+            (folder === asItIs ? `cannot run ${failing} as it is` : 'run the solution\'s code') +
+            ', because they do not compile with yours: ' +
             (/^.*\berror: .*/m.exec(error.message)?.[0] ?? error.message.split('\n')[0]).replace(root + '/', ''));
-    });
+    },
+    chapter => chapter === failsIn ? asItIs : undefined);
 
 // Those that the texts show.
 const liveFigures = new Set();
@@ -119,6 +127,11 @@ function resolver(source) {
         return right && { src: slashed(relative(dirname(source), relative(root, right))), text: 'As it should be' };
     };
     return {
+        pageOf(name) {
+            const page = pages.find(one => one.chapter?.number === name.slice(0, 2) && !one.parent);
+            if (!page) throw new Error(`a graph names ${name}, which is no chapter`);
+            return page.out;
+        },
         link(href) {
             if (/^[a-z]+:|^#/.test(href)) return href;
             const [path, anchor] = href.split('#');
@@ -126,11 +139,12 @@ function resolver(source) {
             if (!page && statSync(join(root, existing(path))).isDirectory()) return undefined;  // no page shows it
             return (page ? page.out : copy(existing(path))) + (anchor ? `#${anchor}` : '');
         },
-        picture(src, text, beside) {
+        picture(src, text, beside, words) {
             if (file(src).startsWith('docs/plots/')) return plot(read(existing(src)), text);
             if (src.endsWith('.svg')) return drawing(read(existing(src)), escape(text));
             const right = beside ?? rightOf(src), image = described(src, text);
-            return right ? compared(image, described(right.src, right.text), /-(mistake|plain)/.test(src)) : img(image);
+            return right ? compared(image, described(right.src, right.text),
+                                    words?.length ? words : /-(mistake|plain)/.test(src) ? ['wrong', 'right'] : []) : img(image);
         },
         // The wrong picture and the right one, beside each other, where they differ.
         async pair(src, text, beside) {
@@ -143,11 +157,11 @@ function resolver(source) {
             return `<div class="wrong-right">${figured('wrong', img(described(src, text, crop)))}` +
                 `${figured('right', img(described(right.src, right.text, crop)))}</div>`;
         },
-        live(name, still, isBelow) {
+        live(name, still) {
             if (!find(name)) throw new Error(`no live figure has the name ${name}: see book/live`);
             if (liveFigures.has(name)) throw new Error(`the live figure ${name} occurs twice`);
             liveFigures.add(name);
-            return figure(name, still, isBelow, compiled?.get(name.slice(0, 2)).shown[name.slice(3)]);
+            return figure(name, still, compiled?.get(name.slice(0, 2)).shown[name.slice(3)]);
         },
     };
 }
@@ -188,8 +202,8 @@ function textPage(page) {
     return text;
 }
 
-// What the search knows: a section each.
-const searched = [];
+// What the search knows: a section each, also by words that learners have for it and the text has not.
+const searched = [], learnersWords = new Map(Object.entries(JSON.parse(readFileSync(join(here, 'learners_words.json'), 'utf8'))));
 for (const page of pages) {
     const { pair } = resolver(page.source);
     Object.assign(page, page.kind === 'studies' ? studiesPage(page)
@@ -198,8 +212,10 @@ for (const page of pages) {
         : textPage(page));
     page.html = page.html.replace('loading="lazy"', 'fetchpriority="high"');  // the first picture
     for (const { id, text, words, code = '' } of page.sections)
-        searched.push({ id: `${page.out}#${id}`, text, words, code, page: page.name });
+        searched.push({ id: `${page.out}#${id}`, text, words, code, page: page.name, also: learnersWords.get(`${page.out}#${id}`) ?? '' });
 }
+for (const id of learnersWords.keys())
+    if (!searched.some(section => section.id === id)) throw new Error(`learners_words.json names ${id}, which does not exist`);
 
 rmSync(out, { recursive: true, force: true });
 const write = (file, content) => {
@@ -211,23 +227,29 @@ if (compiled) {
     for (const [chapter, { script }] of compiled) write(`assets/live-${chapter}.js`, script);
     write('assets/live.js', pageScript());
 } else {
-    console.log('live figures need Emscripten: install emcc (Debian: emscripten); the still pictures stay');
+    console.log('live figures need Emscripten: install emcc (Debian: emscripten, 805 MB); the still pictures stay');
 }
-function exercisesOf(chapter) {
+// The exercises whose answers in this folder the figures of a chapter run.
+function exercisesOf(chapter, folder) {
     if (withoutFirst.has(chapter)) return [];
-    return exercisesUsed(written(chapter), folders(chapter, chapters, first), first, chapters);
+    return exercisesUsed(written(chapter), folders(chapter, chapters, folder), folder, chapters);
 }
-if (compiled && first)
+if (compiled && first) {
+    const switched = [];  // pages
     for (const page of pages) {
-        const shown = new Set([...page.html.matchAll(/data-live="(\d\d)\./g)].map(([, chapter]) => chapter));
-        const used = new Set([...shown].flatMap(exercisesOf)), refused = [...shown].some(one => withoutFirst.has(one));
-        if (shown.size > 0)
-            page.html = page.html.replace('</h1>', `</h1>\n<p class="whose">${whose([...used].sort(), refused)}</p>`);
+        const shown = [...new Set([...page.html.matchAll(/data-live="(\d\d)\./g)].map(([, chapter]) => chapter))];
+        const used = new Set(shown.flatMap(chapter => exercisesOf(chapter, first)));
+        const refused = shown.some(one => withoutFirst.has(one)), switches = shown.some(one => compiled.get(one).runsAsItIs);
+        if (switches) switched.push(page.out);
+        if (shown.length > 0)
+            page.html = page.html.replace('</h1>', `</h1>\n<p class="whose">${whose([...used].sort(), refused, switches && failing)}</p>`);
     }
-const passedFile = options.first && join(options.first, 'passed.txt');
+    if (failing)
+        console.log(switched.length > 0 ? `${failing} as it is: in the figures of ${switched.join(', ')}` : `no live figure can run ${failing}`);
+}
 const book = {
     pages, title, hasLiveFigures: compiled !== undefined, url: options.url?.replace(/\/*$/, '/'),
-    passed: new Set(passedFile && existsSync(passedFile) ? readFileSync(passedFile, 'utf8').split(/\s+/).filter(Boolean) : []),
+    passed: new Set(words('passed.txt')),
     sourceOf({ source }) {
         if (options.source) return `${options.source.replace(/\/*$/, '/')}${source}`;
         const to = `source/${source.replaceAll('/', '-')}.txt`;  // which every browser shows
@@ -247,7 +269,8 @@ if (book.url) {
     write('sitemap.txt', pages.map(page => `${book.url}${page.out}\n`).join(''));
 }
 
-write('assets/book.js', withoutComments(readFileSync(join(here, 'book.js'), 'utf8')));
+const asset = name => withoutComments(readFileSync(join(here, name), 'utf8'));
+write('assets/book.js', ['slide.js', 'book.js'].map(asset).join(''));
 // As a script, because pages of a folder may not fetch other files.
 write('assets/search.js', readFileSync(packaged('minisearch').replace(/dist.*/, 'dist/umd/index.js'), 'utf8') +
     `\nwindow.bookSections = ${JSON.stringify(searched)};\n`);
@@ -279,6 +302,6 @@ const faces = ['400-normal', '400-italic', '700-normal'].map(async face => {
     return `@font-face {\n  font-family: Text; font-weight: ${weight}; font-style: ${style};\n` +
         `  src: url(data:font/woff2;base64,${bytes.toString('base64')});\n}\n`;
 });
-write('assets/book.css', (await Promise.all(faces)).join('') + withoutComments(readFileSync(join(here, 'book.css'), 'utf8')));
+write('assets/book.css', (await Promise.all(faces)).join('') + ['palette.css', 'book.css'].map(asset).join(''));
 
 console.log(`${pages.length} pages: ${join(out, 'index.html')}`);

@@ -21,7 +21,7 @@ const mixed = (color, part, base = 'paper') => part >= 0.97 ? `var(--${color})`
     : `color-mix(in oklab, var(--${color}) ${Math.round(100 * part)}%, var(--${base}))`;
 
 // What a color of a drawing is in a page. Words can be read: dark ones on paper and on tints, white ones on strong colors.
-function inPage(hex, tag, isFill, isWords) {
+export function inPage(hex, tag, isFill, isWords) {
     const { lightness, chroma, hue } = oklch(hex), isArea = isFill && !isWords;
     if (isWords && lightness > 0.9) return 'var(--paper)';
     if (chroma < 0.015) return mixed('ink', Math.max((1 - lightness) / 0.72, isWords ? 0.78 : 0));
@@ -31,12 +31,16 @@ function inPage(hex, tag, isFill, isWords) {
     return mixed(color, isArea && lightness > (tag === 'rect' ? 0.6 : 0.75) ? 0.35 : 1);
 }
 
+// What a drawing has for dark pages where it is not part of a page, by dark.mjs.
+export const ownStyle = /\n<style>@media\(prefers-color-scheme:dark\).*?<\/style>/s;
+
 let drawings = 0;
 
 // A drawing as a part of the page. Its names are made unique.
 export function drawing(svg, text) {
     const prefix = `drawing-${++drawings}-`;
-    return svg.slice(svg.indexOf('<svg'))
+    const plain = svg.replace(ownStyle, '');
+    return plain.slice(plain.indexOf('<svg'))
         .replace(/<(\w+)([^>]*)>/g, (_, tag, rest) => `<${tag}${rest.replace(/(fill|stroke|stop-color)="(#[0-9a-fA-F]+)"/g,
             (_, what, hex) => `${what}="${inPage(hex, tag, what === 'fill', /^t(ext|span)$/.test(tag) || rest.includes('text-anchor'))}"`)}>`)
         .replace(/ id="/g, ` id="${prefix}`).replace(/url\(#/g, `url(#${prefix}`).replace(/href="#/g, `href="#${prefix}`)

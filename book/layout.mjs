@@ -10,8 +10,7 @@ const tick = '<span class="tick" title="Your answer passes"><span class="aside">
 
 // The sections of the current page, and the exercises in them.
 function outline(page, passed) {
-    const shown = page.headings.filter(h => h.level === 2 || (h.level === 3 && /^\d\d\.\d/.test(h.text)));
-    const items = shown.map(({ level, id, text }) =>
+    const items = page.headings.filter(({ level }) => level > 1).map(({ level, id, text }) =>
         `<li class="level${level}"><a href="#${id}">${passed.has(text.split(' ')[0]) ? tick : ''}` +
         `${escape(text.replace(/ \(about.*\)$/, ''))}</a></li>`);
     return items.length === 0 ? '' : `<ul class="outline">${items.join('')}</ul>`;
@@ -28,7 +27,7 @@ function contents(pages, current, passed) {
 }
 
 const step = (page, relation, arrow) => !page ? '<span></span>'
-    : `<a rel="${relation}" href="${page.out}"><small>${arrow}</small> ${escape(page.name)}</a>`;
+    : `<a rel="${relation}" href="${page.out}" aria-keyshortcuts="Arrow${relation === 'prev' ? 'Left' : 'Right'}"><small>${arrow}</small> ${escape(page.name)}</a>`;
 
 // The first words of a page, for those who have only a link to it.
 function description({ html }) {
@@ -84,8 +83,8 @@ ${page.html.includes('<summary>★') ? '<button class="stars" aria-pressed="fals
 ${page.html}
 <p class="source"><a href="${sourceOf(page)}">Source of this page</a></p>
 <nav class="steps" aria-label="Previous and next">
-${step(pages[at - 1], 'prev', 'previous')}
-${step(pages[at + 1], 'next', 'next')}
+${step(pages[at - 1], 'prev', '← previous')}
+${step(pages[at + 1], 'next', 'next →')}
 </nav>
 </main>
 </body>

@@ -49,17 +49,16 @@ function control(chapter, figure, { name, label, kind = 'range', options, ...res
     return slider + (rest.play ? `<button type="button" data-plays="${name}">Play</button>` : '');
 }
 
-// A live figure in place of a still picture, or below it. The still picture remains without scripts, and in print.
+// A live figure, in place of a still picture if there is one, which remains without scripts and in print.
 // `first` is what it shows first, so that nothing moves when it comes to life: see live/measure.mjs.
-export function figure(name, still, isBelow, first) {
+export function figure(name, still, first) {
     const [chapter, own] = name.split('.'), { shows, try: attempt, controls } = find(name);
     const number = Object.keys(described.get(chapter)).indexOf(own);
     const { wide, narrow, said, samples } = { wide: 0.6, narrow: 0.8, said: '', samples: 0, ...first };
-    const picture = still && `<div class="still">${still}</div>`;
-    return `<figure class="live${isBelow ? ' below' : ''}" data-live="${name}" data-number="${number}" ` +
-        `style="--aspect: ${(1 / wide).toFixed(3)}; --aspect-narrow: ${(1 / narrow).toFixed(3)}">${isBelow ? picture : ''}` +
+    return `<figure class="live${still ? '' : ' below'}" data-live="${name}" data-number="${number}" ` +
+        `style="--aspect: ${(1 / wide).toFixed(3)}; --aspect-narrow: ${(1 / narrow).toFixed(3)}">` +
         `<div class="moving"><figcaption>${escape(attempt)}</figcaption>` +
-        `<div class="stage">${isBelow ? '' : picture}<canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
+        `<div class="stage">${still && `<div class="still">${still}</div>`}<canvas role="img" aria-label="${escape(shows)}"></canvas></div>` +
         `<div class="progress"${samples > 1 ? '' : ' hidden'}>0 of ${samples} samples per pixel</div>` +
         `<output class="said" aria-live="polite">${escape(said)}</output>` +
         `<form>${controls.map(one => control(chapter, own, one)).join('')}<button type="reset">Reset</button></form>` +
@@ -176,9 +175,11 @@ async function measured(chapter, kept) {
 // For the number of each of these chapters: its module as a script for the pages, and what its figures show first;
 // undefined without Emscripten. The learner's headers in the folder `first`, if there is one, come before the
 // solution's. A chapter that does not compile with them is compiled without them, after a call of refused(chapter, error).
-export async function modules(wanted, chapters, cache, first, refused) {
+// asItIs(chapter) may name a folder with headers that fail, too: the page can run these on demand.
+export async function modules(wanted, chapters, cache, first, refused, asItIs = () => undefined) {
     if (!version) return undefined;
     const worker = withoutComments(readFileSync(join(here, 'worker.js'), 'utf8'));
+    const packed = kept => gzipSync(readFileSync(kept), { level: 9 }).toString('base64');
     const made = new Map(), waiting = [...wanted];
     const work = async () => {
         for (let chapter; (chapter = waiting.shift());) {
@@ -189,10 +190,11 @@ export async function modules(wanted, chapters, cache, first, refused) {
                 whose = 'The';
                 return compile(chapter, chapters, undefined, cache);
             });
-            const packed = gzipSync(readFileSync(kept), { level: 9 });
-            const script = `liveModule(${[chapter, worker, packed.toString('base64'), whose].map(one => JSON.stringify(one))
-                .join(', ')});\n`;
-            made.set(chapter, { script, shown: await measured(chapter, kept).catch(() => ({})) });
+            const failing = asItIs(chapter), alsoKept = failing && await compile(chapter, chapters, failing, cache)
+                .catch(error => refused(chapter, error, failing));
+            const script = `liveModule(${[chapter, worker, packed(kept), whose, ...(alsoKept ? [packed(alsoKept)] : [])]
+                .map(one => JSON.stringify(one)).join(', ')});\n`;
+            made.set(chapter, { script, runsAsItIs: Boolean(alsoKept), shown: await measured(chapter, kept).catch(() => ({})) });
         }
     };
     await Promise.all([work(), work()]);

@@ -1,7 +1,7 @@
 // The known mistakes of a chapter, from tests/mistakes: what is wrong, the picture that it draws, and the cure.
 import { readFileSync, readdirSync } from 'node:fs';
 import { join } from 'node:path';
-import { escape, inline, sectionsOf, typographic } from './markdown.mjs';
+import { escape, inlineOfTerminal, sectionsOf, typographic } from './markdown.mjs';
 
 // The pictures of mistakes in a chapter's text: for each mistake's name, "03.2_far_side", what shows it.
 export function picturesOfMistakes(text) {
@@ -40,9 +40,9 @@ export async function mistakesPage(chapter, folder, text, pair) {
         mistakes.sort((a, b) => shown.has(b.id) - shown.has(a.id));
         for (const mistake of mistakes) {
             const image = shown.get(mistake.id);
-            html += `<section class="mistake" id="${escape(mistake.id)}"><div><h3>${inline(mistake.title)}</h3>` +
-                mistake.explanation.map(paragraph => `<p>${inline(paragraph)}</p>`).join('') +
-                (mistake.caught ? `<p class="caught">Caught by “${inline(mistake.caught)}”</p>` : '') + '</div>' +
+            html += `<section class="mistake" id="${escape(mistake.id)}"><div><h3>${inlineOfTerminal(mistake.title)}</h3>` +
+                mistake.explanation.map(paragraph => `<p>${inlineOfTerminal(paragraph)}</p>`).join('') +
+                (mistake.caught ? `<p class="caught">Caught by “${inlineOfTerminal(mistake.caught)}”</p>` : '') + '</div>' +
                 (image ? await pair(image.picture.src, image.picture.text, image.beside) : '') + '</section>\n';
         }
         sections.push({ id, text: title, words: mistakes.map(m => `${m.title}. ${m.explanation.join(' ')}`).join(' ') });

@@ -80,9 +80,10 @@ export const img = ({ src, text, size }) =>
 export const plot = (svg, text) =>
     `<figure class="measured" aria-label="${escape(text)}"><div class="scroll">\n${svg}</div></figure>`;
 
-// Without scripts, and in print, the two are side by side. The slider moves the line between them.
-export function compared(left, right, isMistake) {
-    const words = isMistake ? '<span class="word" aria-hidden="true">wrong</span><span class="word" aria-hidden="true">right</span>' : '';
+// Without scripts, and in print, the two are side by side. The slider moves the line between them. A word, as HTML, says
+// what each shows.
+export function compared(left, right, named) {
+    const words = named.map(word => `<span class="word">${word}</span>`).join('');
     return `<span class="compare"><span class="pair">${img(left)}<span class="over">${img({ ...right, size: left.size })}</span>` +
         `${words}</span><input type="range" min="0" max="100" value="50" aria-label="Where the first picture ends and the second begins"></span>`;
 }

@@ -23,9 +23,12 @@ export function exercisesUsed(sources, folders, first, chapters) {
         .filter(exercise => exercise.files.some(file => files.has(join(first, file)))).map(({ id }) => id);
 }
 
-// What a page with figures says about it; `refused` if they do not compile with the learner's headers.
-export function whose(ids, refused = false) {
-    if (ids.length > 0) return `These figures run your code for ${ids.join(', ')}; the rest is the solution’s.`;
-    return 'These figures run the solution’s code: ' +
-        (refused ? 'they do not compile with yours.' : 'none of your answers that they need passes yet.');
+// What a page with figures says about it; `refused` if they do not compile with the learner's headers. With a switch,
+// they also run the exercise `failing`.
+export function whose(ids, refused = false, failing = undefined) {
+    const said = ids.length > 0 ? `These figures run your code for ${ids.join(', ')}; the rest is the solution’s.`
+        : 'These figures run the solution’s code: ' +
+          (refused ? 'they do not compile with yours.' : 'none of your answers that they need passes yet.');
+    return failing ? `${said} <label class="as-it-is"><input type="checkbox" checked autocomplete="off"> ` +
+        `Your answer to ${failing} as it is, though it fails</label>` : said;
 }

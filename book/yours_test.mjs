@@ -47,6 +47,7 @@ assert.deepEqual(exercisesUsed(written('03'), folders('03', numbered, answers), 
 assert.equal(whose(['01.2', '03.1']), 'These figures run your code for 01.2, 03.1; the rest is the solution’s.');
 assert.match(whose([]), /the solution’s code: none of your answers/);
 assert.match(whose([], true), /the solution’s code: they do not compile with yours/);
+assert.match(whose(['01.2'], false, '03.2'), /^These figures run your code for 01\.2; .* checked .*Your answer to 03\.2 as it is, though it fails/);
 const page = { out: 'a.html', name: 'A', html: '<h1>A</h1><p>Words.</p>', headings: [
     { level: 3, id: 'first', text: '03.1 Roots (about 5 minutes)' }, { level: 3, id: 'second', text: '03.2 Sphere' }] };
 const html = layout(page, { pages: [page], title: 'The course', passed: new Set(['03.1']), sourceOf: () => 'a.md' });

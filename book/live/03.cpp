@@ -58,15 +58,19 @@ void draw(const RootsControls& c, Drawing& out) {
     const rt::Sphere sphere{{0, 0, 0}, 1};
     const Point center = at.to_page({0, 0});
 
-    // Half of the chord h, the distance p of the line from the center, and the discriminant.
+    // Half of the chord h, the distance p of the line from the center, and the discriminant: what
+    // the drawing rests on, so that an answer that is wrong is seen beside it.
     const rt::Vec3 f = ray.origin - sphere.center, d = ray.direction;
     const rt::Vec3 moment = cross(f, d);
     const double a = dot(d, d), quarter = a * sphere.radius * sphere.radius - dot(moment, moment);
-    const Point foot = in_plane(ray.at(-dot(f, d) / a));
+    const bool meets = quarter >= 0;
+    const double nearest = -dot(f, d) / a, half_chord = meets ? std::sqrt(quarter) / a : 0;
+    const Meetings right{2, nearest - half_chord, nearest + half_chord};
 
-    out.disc(center, at.scale, thin(blue, quarter >= 0 ? 0.16 : 0.06));
-    out.circle(center, at.scale, {quarter >= 0 ? blue : muted, 2});
-    const Point start = at.to_page({start_x, c.height}), middle = at.to_page(foot);
+    out.disc(center, at.scale, thin(blue, meets ? 0.16 : 0.06));
+    out.circle(center, at.scale, {meets ? blue : muted, 2});
+    const Point start = at.to_page({start_x, c.height}),
+                middle = at.to_page(in_plane(ray.at(nearest)));
     out.arrow(center, start, {pink, 2});
     out.text(0.55 * start + 0.45 * center + Point{0, 16}, "f", pink);
     draw_line(c, at, out);
@@ -75,40 +79,47 @@ void draw(const RootsControls& c, Drawing& out) {
     out.dot(center, ink, 3);
     out.text(center + Point{4, 16}, "C", ink);
 
+    const auto place_of = [&](double t) { return at.to_page(in_plane(ray.at(t))); };
+    if (meets) {
+        const Point other = place_of(right.high);
+        // The triangle of p, h and r, with its right angle.
+        out.polygon({center, middle, other}, thin(amber, 0.15));
+        out.line(center, other, {amber, 2});
+        out.line(place_of(right.low), other, {blue, 4});
+        const double half = distance(middle, other), away = distance(middle, center);
+        if (half > 24 && away > 24) {
+            const Point x = (10 / half) * (other - middle), y = (10 / away) * (center - middle);
+            out.path({middle + x, middle + x + y, middle + y}, {ink, 1});
+        }
+        out.text(0.5 * (center + other) + Point{8, 12}, "r", amber);
+        if (half > 12) out.text(0.5 * (middle + other) + Point{0, -12}, "h", blue);
+    }
+
     const auto low = hit_sphere(sphere, ray, {-rt::infinity, rt::infinity});
-    if (!low) {
-        out.text(at.to_page({0, -1.25}), "D < 0: no solution", muted);
-        const Meetings wrong = meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
-        out.say(wrong.count ? "D = {+}: the line misses, but float says that it hits."
-                            : "D = {+}: the line passes {} beyond the surface.",
-                4 * quarter, wrong.count ? 0 : std::sqrt(dot(moment, moment) / a) - sphere.radius);
-        return;
+    const auto above =
+        low ? hit_sphere(sphere, ray, {std::nextafter(*low, rt::infinity), rt::infinity}) : low;
+    const double high = above.value_or(low.value_or(0));
+    if (low) {
+        const Point one = place_of(*low), other = place_of(high);
+        out.dot(one, blue, 6);
+        out.dot(other, blue, 6);
+        out.text(one + Point{-10, -16}, "low", blue, Align::right);
+        out.text(other + Point{12, -16}, "high", blue, Align::left);
     }
-    const auto above = hit_sphere(sphere, ray, {std::nextafter(*low, rt::infinity), rt::infinity});
-    const double high = above.value_or(*low);
-    const Point one = at.to_page(in_plane(ray.at(*low))),
-                other = at.to_page(in_plane(ray.at(high)));
-    // The triangle of p, h and r, with its right angle.
-    out.polygon({center, middle, other}, thin(amber, 0.15));
-    out.line(center, other, {amber, 2});
-    out.line(one, other, {blue, 4});
-    const double half = distance(middle, other), away = distance(middle, center);
-    if (half > 24 && away > 24) {
-        const Point x = (10 / half) * (other - middle), y = (10 / away) * (center - middle);
-        out.path({middle + x, middle + x + y, middle + y}, {ink, 1});
-    }
-    out.text(0.5 * (center + other) + Point{8, 12}, "r", amber);
-    if (half > 12) out.text(0.5 * (middle + other) + Point{0, -12}, "h", blue);
-    out.dot(one, blue, 6);
-    out.dot(other, blue, 6);
-    out.text(one + Point{-10, -16}, "low", blue, Align::right);
-    out.text(other + Point{12, -16}, "high", blue, Align::left);
 
     // The same in float: crosses at the points that it finds.
     const Meetings in_float = meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
     const Meetings textbook = textbook_meetings_in_float(ray.origin.x, ray.origin.y, d.x, d.y);
+    if (!meets) {
+        out.text(at.to_page({0, -1.25}), "D < 0: no solution", muted);
+        out.say(low              ? "D = {+}: the line misses, but hit_sphere finds t = {.3}."
+                : in_float.count ? "D = {+}: the line misses, but float says that it hits."
+                                 : "D = {+}: the line passes {} beyond the surface.",
+                4 * quarter, low.value_or(std::sqrt(dot(moment, moment) / a) - sphere.radius));
+        return;
+    }
     const auto cross_at = [&](double t, Ink color, double size) {
-        const Point p = at.to_page(in_plane(ray.at(t)));
+        const Point p = place_of(t);
         out.line(p + Point{-size, -size}, p + Point{size, size}, {color, 2.5});
         out.line(p + Point{-size, size}, p + Point{size, -size}, {color, 2.5});
     };
@@ -119,16 +130,24 @@ void draw(const RootsControls& c, Drawing& out) {
 
     const auto say_error = [&](double y, Ink color, const Meetings& found, std::string_view off,
                                std::string_view miss) {
-        out.text({12, y}, found.count ? off : miss, color, Align::left, found.low - *low,
-                 found.high - high);
+        out.text({12, y}, found.count ? off : miss, color, Align::left, found.low - right.low,
+                 found.high - right.high);
     };
     if (out.is_narrow()) out.text_size = 11.5;
-    say_error(out.height - 32, green, in_float, "× float, this chapter: off by {e}, {e}",
-              "float, this chapter: a miss");
-    say_error(out.height - 13, orange, textbook, "× float, textbook: off by {e}, {e}",
-              "float, textbook: a miss");
-    out.say("D = {+}, so the equation has two solutions: low = {.3}, high = {.3}.", 4 * quarter,
-            *low, high);
+    say_error(out.height - 32, green, in_float, "× hit_sphere in float: off by {e}, {e}",
+              "hit_sphere in float: a miss");
+    say_error(out.height - 13, orange, textbook, "× textbook in float: off by {e}, {e}",
+              "textbook in float: a miss");
+    const double visible = 1e-3;  // of a radius
+    if (!low)
+        out.say("D = {+}, so the equation has two solutions, but hit_sphere finds none.",
+                4 * quarter);
+    else if (std::abs(*low - right.low) < visible && std::abs(high - right.high) < visible)
+        out.say("D = {+}, so the equation has two solutions: low = {.3}, high = {.3}.", 4 * quarter,
+                *low, high);
+    else
+        out.say("D = {+}, so low = {.3} and high = {.3}, but hit_sphere finds {.3} and {.3}.",
+                4 * quarter, right.low, right.high, *low, high);
 }
 
 void drag(RootsControls& c, const Drag& to) {

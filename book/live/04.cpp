@@ -256,9 +256,10 @@ void draw(const DirectionsControls& c, Drawing& out) {
     double cosines = 0;
     for (int i = 0; i < count; ++i) {
         const rt::Vec2 place = random_place(random);
-        rt::Vec3 d =
-            c.way == 0 ? rt::cosine_direction(normal, place) : rt::uniform_direction(place);
-        if (rt::dot(d, normal) < 0) d = -d;
+        const double radius = std::sqrt(1 - place.x * place.x), angle = 2 * rt::pi * place.y;
+        const rt::Vec3 d =
+            c.way == 0 ? rt::cosine_direction(normal, place)
+                       : rt::Vec3{radius * std::cos(angle), place.x, radius * std::sin(angle)};
         directions.push_back(d);
         const double cosine = rt::dot(d, normal);
         cosines += cosine;

@@ -1,13 +1,13 @@
 // The live figures of chapter 07. Their spheres have their centers in the plane z = 0.
 #include <array>
 #include <numeric>
+#include <rt/area_split.hpp>
 #include <rt/build.hpp>
 #include <rt/find_nearest.hpp>
 #include <rt/hit_box.hpp>
 #include <rt/rng.hpp>
 #include <rt/search.hpp>
 #include <rt/slab_ray.hpp>
-#include <rt/split_by_area.hpp>
 #include <string>
 
 #include "controls.hpp"
@@ -126,7 +126,7 @@ struct Tree {
 
     explicit Tree(bool by_area) {
         const std::vector<rt::Box> boxes = boxes_of(spheres);
-        root = by_area ? rt::build_node(order, 0, boxes, rt::split_by_area)
+        root = by_area ? rt::build_node(order, 0, boxes, rt::AreaSplit{1})
                        : rt::build_node(order, 0, boxes, rt::split_in_half);
     }
 };
@@ -363,9 +363,13 @@ struct Splits {
     std::vector<int> order;
     rt::Box whole;
     int axis;
+    double boxes_cost;
 
-    Splits(std::span<const rt::SceneSphere> spheres, int along_axis)
-        : boxes{boxes_of(spheres)}, order{numbers_up_to(spheres.size())}, axis{along_axis} {
+    Splits(std::span<const rt::SceneSphere> spheres, int along_axis, double cost_of_boxes)
+        : boxes{boxes_of(spheres)},
+          order{numbers_up_to(spheres.size())},
+          axis{along_axis},
+          boxes_cost{cost_of_boxes} {
         std::sort(order.begin(), order.end(), [&](int a, int b) { return middle(a) < middle(b); });
         whole = part(0, count());
     }
@@ -395,14 +399,15 @@ struct Splits {
     double cost(int left) const {
         // The formula of docs/07-bvh.md; split_by_area finds only the lowest cost.
         if (left == 0 || left == count()) return count();  // no split: a leaf
-        return 1 + area_share(0, left) * left + area_share(left, count()) * (count() - left);
+        return boxes_cost + area_share(0, left) * left +
+               area_share(left, count()) * (count() - left);
     }
 };
 
 // The number of spheres on the left of the best split; 0 if that is not along this axis.
 int best_left(const Splits& splits) {
     std::vector<int> order = numbers_up_to(splits.order.size());
-    const int left = rt::split_by_area(order, splits.boxes);
+    const int left = rt::split_by_area(order, splits.boxes, splits.boxes_cost);
     std::sort(order.begin(), order.begin() + left);
     std::vector<int> here(splits.order.begin(), splits.order.begin() + left);
     std::sort(here.begin(), here.end());
@@ -430,7 +435,7 @@ Point on_plane(const SplitControls& c, double position) {
 
 void draw_costs(const SplitControls& c, const SplitLayout& layout, const Splits& splits,
                 Drawing& out) {
-    const double most = splits.count() * 1.08;
+    const double most = 1.08 * (splits.count() + splits.boxes_cost - 1);
     const auto place = [&](double position, double cost) {
         return Point{layout.page_x(position),
                      layout.plot_bottom - cost / most * (layout.plot_bottom - layout.plot_top)};
@@ -480,7 +485,7 @@ void draw(const SplitControls& given, Drawing& out) {
     const Frame& at = layout.plane;
     out.height = layout.plot_bottom + 14;
     const auto spheres = arrangement(static_cast<int>(c.scene));
-    const Splits splits{spheres, c.axis > 0 ? 1 : 0};
+    const Splits splits{spheres, c.axis > 0 ? 1 : 0, c.boxes};
     const int left = splits.left_of(c.plane), count = splits.count();
 
     draw_box(out, at, splits.whole, {muted, 1.2, 4}, 0.03);
@@ -516,11 +521,11 @@ void draw(const SplitControls& given, Drawing& out) {
                 count);
     else
         out.say(
-            "{} spheres in {.0} % of the area and {} in {.0} %: 1 + {.2} · {} + {.2} · {} = "
+            "{} spheres in {.0} % of the area and {} in {.0} %: {} + {.2} · {} + {.2} · {} = "
             "{.1} tests. A leaf costs {}.",
             left, 100 * splits.area_share(0, left), count - left,
-            100 * splits.area_share(left, count), splits.area_share(0, left), left,
-            splits.area_share(left, count), count - left, splits.cost(left), count);
+            100 * splits.area_share(left, count), splits.boxes_cost, splits.area_share(0, left),
+            left, splits.area_share(left, count), count - left, splits.cost(left), count);
 }
 
 void drag(SplitControls& c, const Drag& to) {

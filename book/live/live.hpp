@@ -19,7 +19,8 @@
 // 4. For a picture that gets better while you wait, call out.refine(): see refine.hpp.
 // 5. Mark where it goes in docs/03-sphere.md, below a picture, in a paragraph of its own:
 //    <!-- live: 03.pencil --> puts the figure in the picture's place, <!-- live: 03.pencil below
-//    --> puts it below. In print, and without scripts, only the picture is there.
+//    --> puts it below, after the picture's caption. In print, and without scripts, only the
+//    picture is there.
 //
 // Figures are built in double. Code that needs float goes in 03.float.cpp, which is compiled with
 // Real = float and the namespace rt named rt_float: see there.

@@ -375,11 +375,24 @@
             document.head.append(script);
         }
 
-        start(source, code, whose) {
-            Object.assign(this, { code, whose, loaded: performance.now() });
+        start(source, code, whose, asItIs) {
+            Object.assign(this, { codes: [code, asItIs], passing: whose, loaded: performance.now() });
             this.url = URL.createObjectURL(new Blob([source], { type: 'text/javascript' }));
+            this.choose();
             this.hire();
             setInterval(() => this.watch(), 250);
+        }
+
+        // The page's switch says whether the learner's code runs where it fails.
+        choose() {
+            const [code, asItIs] = this.codes, chosen = asItIs && asItIsSwitch()?.checked;
+            this.code = chosen ? asItIs : code;
+            this.whose = chosen ? 'Your' : this.passing;
+        }
+        switched() {
+            if (!this.codes?.[1]) return;
+            this.choose();
+            this.replace();
         }
 
         hire() {
@@ -422,7 +435,7 @@
             }
         }
 
-        // A worker that hangs or trapped is of no use any more. The other figures go on with new ones.
+        // A worker that hangs or trapped is of no use any more, nor is one with other code. The other figures go on with new ones.
         replace(blamed, what) {
             for (const worker of this.workers) {
                 worker.onmessage = undefined;
@@ -430,7 +443,7 @@
             }
             this.workers = [];
             this.hire();
-            for (const [figure, one] of this.figures)
+            for (const [figure, one] of this.figures ?? [])
                 one.begin(figure === blamed ? `${this.whose} code ${what}` : undefined);
         }
 
@@ -456,9 +469,10 @@
         }
     }
 
-    const modules = new Map();
-    // The chapter's file calls this with the worker's source, the compiled code, and whose code it is: Your or The.
-    window.liveModule = (chapter, source, code, whose) => modules.get(chapter).start(source, code, whose);
+    const modules = new Map(), asItIsSwitch = () => document.querySelector('.as-it-is input');
+    // The chapter's file calls this with the worker's source, the compiled code, and whose code it is: Your or The; then
+    // the same with the learner's code where it fails, too, if the page has a switch for it.
+    window.liveModule = (chapter, ...given) => modules.get(chapter).start(...given);
 
     document.documentElement.classList.add('lively');
     document.addEventListener('DOMContentLoaded', () => {
@@ -473,6 +487,7 @@
             modules.get(chapter).elements.push(element);
             near.observe(element);
         }
+        asItIsSwitch()?.addEventListener('change', () => modules.forEach(module => module.switched()));
         const redraw = () => {
             readColors();
             for (const { figures } of modules.values()) figures?.forEach(figure => figure.show());

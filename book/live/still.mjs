@@ -27,7 +27,7 @@ const list = new Float64Array(wasm.memory.buffer, wasm.live_list(number), wasm.l
 const words = Buffer.from(wasm.memory.buffer, wasm.live_words(number), wasm.live_words_size(number)).toString().split('\0');
 
 // The page's colors on light paper, by their numbers in live.hpp.
-const css = readFileSync(join(root, 'book/book.css'), 'utf8');
+const css = readFileSync(join(root, 'book/palette.css'), 'utf8');
 const colors = ['paper', 'ink', 'muted', 'line', 'accent', 'c0', 'c1', 'c2', 'c3', 'c4', 'c5', 'c6', 'panel']
     .map(color => new RegExp(`--${color}: light-dark\\((#\\w+)`).exec(css)[1]);
 

@@ -34,9 +34,9 @@ writeFileSync(join(folder, `assets/live-${chapter}.js`), script);
 writeFileSync(join(folder, 'assets/live.js'), pageScript());
 writeFileSync(join(folder, 'index.html'), `<!DOCTYPE html><html lang="en"><meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1"><title>${name}</title>
-<link rel="stylesheet" href="${pathToFileURL(join(book, 'book.css')).href}">
+${['palette.css', 'book.css'].map(name => `<link rel="stylesheet" href="${pathToFileURL(join(book, name)).href}">`).join('')}
 <script src="assets/live.js"></script>
-<body style="display: block"><main>${figure(name, '<p>The still picture</p>', false, shown[name.slice(3)])}</main>`);
+<body style="display: block"><main>${figure(name, '<p>The still picture</p>', shown[name.slice(3)])}</main>`);
 
 const chromiumPath = process.env.CHROMIUM ?? execFileSync('which', ['chromium'], { encoding: 'utf8' }).trim();
 const browser = await chromium.launch({ executablePath: chromiumPath,

@@ -23,6 +23,7 @@ if [ ! -d book/node_modules/playwright-core ] ||
 fi
 node book/forms.mjs
 node book/yours_test.mjs
+node book/serve_test.mjs
 if command -v "${CXX:-c++}" >/dev/null; then node book/live/native.mjs; fi
 
 for browser in "${CHROMIUM:-chromium}" chromium-browser google-chrome ''; do
