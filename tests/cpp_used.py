@@ -67,7 +67,7 @@ def code_of(text):
 
 def main():
     course = json.loads((ROOT / "course.json").read_text())
-    early = (ROOT / "docs/00-toolchain.md").read_text().split("## The mathematics")[0]
+    early = (ROOT / "docs/00-toolchain.md").read_text().split("## From source to program")[0]
     known = tokens(code_of(early)) | members(code_of(early))
     missing = 0
     for chapter in course["chapters"]:

@@ -26,6 +26,10 @@ BODIES = {
     "common/app/windows/processor_time.hpp": "includes a header that only Windows has",
     "chapters/00_toolchain/by_hand/parts/shade.hpp": "an example, compiled by a script of its own",
 }
+BODIES |= {
+    str(header.relative_to(ROOT)): "stands before a program's headers, and is compiled with a program"
+    for header in ROOT.glob("companion/*/recorder/rt/*.hpp")
+}
 FIRST = re.compile(r"\A(?:#pragma once\n|//.*\n|\n)*#include ([<\"])(.*)[>\"]")
 
 
@@ -45,9 +49,9 @@ def include_order(header):
     if room == "common":
         return [(ROOT / header).parent, ROOT / "common"]
     if chapter == "renderer":
-        chapter = "12_z"  # above chapter 12
+        chapter = "14_z"  # above chapter 14
     up_to = [f for kind in ("chapters", "solutions") for f in sorted((ROOT / kind).iterdir()) if f.name <= chapter]
-    if chapter > "12_z":
+    if chapter == "13_cluster":
         up_to.append(ROOT / "chapters/renderer")
     kinds = [rt.parent for folder in up_to for rt in sorted(folder.glob("*/rt"))]
     return [(ROOT / header).parent, *up_to, *kinds, ROOT / "common"]

@@ -9,8 +9,10 @@ links, HTML comments and names such as CMake.
 - Phrases that the texts do not use, such as "shall"; repeated words.
 - Sentences in a row that begin with So, But, And or Then, instead of being joined.
 - Lines over 125 columns, except for tables, images, code and HTML comments.
+- Lines of a paragraph that Markdown takes for a list.
 - In the chapters that go idea by idea: more than 350 words in a row, outside of the folds, without a figure, a picture
   or code.
+- Without FILE: more words in the core's texts than CORE_WORDS allows, outside of the folds and of code.
 
 Each finding is one line: file:line: what is wrong, and what would be right. Ends with 1 if there is one, or if
 hunspell or its dictionary is missing.
@@ -30,14 +32,15 @@ FILES = ["README.md", "CONTRIBUTING.md", "docs/**/*.md", "tests/mistakes/**/*.md
 WORD_LIST = ROOT / "tests" / "words.txt"
 HUNSPELL = ["hunspell", "-d", "en_US", "-i", "utf-8", "-a"]
 COLUMNS = 125
-IDEA_BY_IDEA = re.compile(r"0[2-6]-\w+\.md")  # the chapters' texts
+IDEA_BY_IDEA = re.compile(r"(?:0[2-7]|1[0-4])-\w+\.md")  # the chapters' texts
 WORDS_IN_A_ROW = 350
+CORE_WORDS = {"0?-*.md": 32_000, "11-*.md": 6_500}  # of the texts in docs/, at most so many in all
 HIDDEN = "¤"  # stands for each character that is left out: lines and columns stay
 
 # What is not prose in the pages, in the order in which it is hidden.
 CODE = re.compile(r"^( *)```.*?^\1```"  # fenced
                   r"|(?<=\n\n) {7}.*(?:\n+ {7}.*)*"  # indented, in an item of a hint
-                  r"|^(?:caught by|also fails|only if the answer has|compare says|data race in): [^\n]*"  # of a mistake
+                  r"|^(?:caught by|also fails|(?:only if|unless) the answer has|compare says|data race in): [^\n]*"  # of a mistake
                   r"|<!--.*?-->", re.M | re.S)
 MARKUP = re.compile(r"(`+)[^`].*?\1|\$\$.*?\$\$|\$[^$]+\$|(?<=\])\([^)]*\)|<?https?://[^\s>]+>?|</?[a-z][^<>]*>", re.S)
 
@@ -161,6 +164,24 @@ def long_lines(text):
             yield line.start(), f"{len(line[0])} columns: break the line before {COLUMNS}"
 
 
+def lists_by_chance(text):
+    """
+    >>> list(lists_by_chance("White is\\n1. In all, u\\n\\n- one\\n  and\\n- two:\\n\\nFirst:\\n- one"))
+    [(9, "a list begins with '1. ': break the line elsewhere")]
+    """
+    for line in re.finditer(r"^(?![-+*] |\d+\. |[ |#<]|¤+\n).*[^:\n]\n(([-+*]|1\.) )", text, re.M):
+        yield line.start(1), f"a list begins with '{line[1]}': break the line elsewhere"
+
+
+def core_words(text):
+    """How many words a text has outside of the folds and of code.
+
+    >>> core_words("# One `two`\\n```\\ncode\\n```\\n<details>\\nstars\\n```\\ncode\\n```\\n</details>\\n$x$ five\\n")
+    5
+    """
+    return len(re.sub(r"<details>.*?</details>|```.*?```", "", text, flags=re.S).split())
+
+
 def stretches(text, most=WORDS_IN_A_ROW):
     """Where more words than these stand in a row, without a figure, a picture or code; a formula is one word. The list
     of sources at the end does not count.
@@ -229,12 +250,17 @@ def main(named):
         line = lambda start: text.count("\n", 0, start) + 1
         found = list(phrases(text))
         if path.suffix in (".md", ".txt"):
-            found += [*long_lines(text), *chains(text)]
+            found += [*long_lines(text), *chains(text), *lists_by_chance(text)]
         if IDEA_BY_IDEA.fullmatch(path.name) and path.parent == ROOT / "docs":
             found += stretches(whole)
         findings += [(path, line(start), what) for start, what in found]
         for start, word in words(text):
             uses.setdefault(word, []).append((path, line(start)))
+
+    for pattern, most in CORE_WORDS.items() if not named else ():
+        count = sum(core_words(path.read_text(encoding="utf-8")) for path in (ROOT / "docs").glob(pattern))
+        if not 0 < count <= most:
+            findings.append((ROOT / "docs" / pattern, 1, f"{count} words: at most {most} are to be read"))
 
     own = listed(findings)
     known = {*own, *(word.capitalize() for word in own)}

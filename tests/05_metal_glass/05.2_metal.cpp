@@ -6,6 +6,7 @@
 #include <rt/sphere_list.hpp>
 
 #include "exact_vectors.hpp"
+#include "hemisphere.hpp"
 #include "statistics.hpp"
 
 using namespace checkpoint;
@@ -84,6 +85,41 @@ rt::Hit floor_hit() {
 }
 
 }  // namespace
+
+TEST_CASE("05.2 uniform directions cover the sphere evenly", "[05.2]") {
+    rt::Rng rng{52, 21};
+    Grid grid{{0, 0, 1}};
+    double worst = 0;
+    for (int i = 0; i < samples; ++i) {
+        const Vec3 d = rt::uniform_direction(rt::random_place(rng));
+        worst = std::max(worst, length_error(d) / static_cast<double>(rt::epsilon));
+        // Slices of equal height have equal area.
+        grid.add(d, [](double cosine) { return (1 - cosine) / 2 * rings; });
+    }
+    {
+        INFO("lengths differ from 1 by up to " << worst << " epsilon, " EXPECTED "at most 100");
+        CHECK(worst <= 100);
+    }
+    const double statistic = chi_square(
+        grid.counts,
+        std::vector<double>(turns * rings, static_cast<double>(samples) / turns / rings));
+    INFO("chi-square of 200 cells of equal area: "
+         << statistic
+         << ".\nHint: z is spread evenly from -1 to 1, the angle about the z axis from 0 to 2 pi; "
+            "if the angle from the pole is spread evenly, directions crowd at the poles");
+    CHECK(statistic < chi_square_limit(turns * rings - 1));
+}
+
+TEST_CASE("05.2 equal parts of the square become equally large parts of the sphere", "[05.2]") {
+    rt::Rng rng{52, 23};
+    for (int i = 0; i < 2000; ++i)
+        check_area_ratio(
+            rt::uniform_direction, [](Vec2) { return 4 * 3.14159265358979323846; },
+            any_spot(rng, i),
+            "uniform_direction turns once around, by 2 pi y, neither more nor less, and z goes "
+            "evenly from one pole to the other: the whole square becomes the whole sphere, whose "
+            "area is 4 pi");
+}
 
 TEST_CASE("05.2 above_horizon mirrors a direction that points below the surface", "[05.2]") {
     const auto check = [](Vec3 v, Vec3 expected) {
@@ -371,6 +407,53 @@ TEST_CASE("05.2 light along the surface is reflected above it for any fuzz", "[0
                                     "direction: also call it for the mirror direction with fuzz 0");
             REQUIRE(is_right);
         }
+    }
+}
+
+TEST_CASE(
+    "05.2 uniform directions have length 1 within 2 epsilon even at the corners of the square",
+    "[05.2][hard]") {
+    const auto check = [](Vec2 place) {
+        const Vec3 d = rt::uniform_direction(place);
+        INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));
+        REQUIRE(rt::is_finite(d));
+        const double off_in_epsilons = length_error(d) / static_cast<double>(rt::epsilon);
+        INFO("the direction's length differs from 1 by this many epsilon; 2 are allowed");
+        REQUIRE(off_in_epsilons <= 2);
+    };
+    for (const Vec2 place : corners) check(place);
+    for (const Vec2 place : edges) check(place);
+    // Close to a pole, whichever axis that is on, and whichever number of the place leads there.
+    rt::Rng rng{52, 22};
+    for (int i = 0; i < 2000; ++i) {
+        // A multiple of epsilon, as random numbers are; and numbers of any size, as where the
+        // square is cut into strips.
+        const Real step =
+            std::max(Real(1), std::round(any_size(rng, 0, for_this_precision(5, 14))));
+        const Real x = i % 8 >= 4 ? any_size(rng, -25, -4)
+                       : i % 2    ? step * rt::epsilon
+                                  : 1 - step * rt::epsilon;
+        const Real y = rng.uniform(real(0.1), real(0.4));
+        const Vec2 place = i / 2 % 2 ? Vec2{x, y} : Vec2{y, x};
+        const Vec3 d = rt::uniform_direction(place), a = rt::abs(d);
+        const Real height = std::max({a.x, a.y, a.z});
+        if (height < real(0.999)) continue;
+        const auto from_axis = static_cast<double>(height == a.x   ? std::hypot(a.y, a.z)
+                                                   : height == a.y ? std::hypot(a.x, a.z)
+                                                                   : std::hypot(a.x, a.y));
+        // Or twice that close to the rim of a disk, if the map goes through one.
+        const double expected = static_cast<double>(2 * std::sqrt(x * (1 - x)));
+        const double at_rim = 2 * expected * static_cast<double>(1 - 2 * std::min(x, 1 - x));
+        const double off_in_epsilons =
+            std::min(std::abs(from_axis / expected - 1), std::abs(from_axis / at_rim - 1)) /
+            static_cast<double>(rt::epsilon);
+        if (off_in_epsilons <= 8) continue;
+        INFO("place (" << text(place.x) << ", " << text(place.y) << ") gives " << text(d));
+        HINT(static_cast<Real>(expected), static_cast<Real>(from_axis),
+             "the values are the direction's distance from the axis. Near the poles, 1 - z^2 "
+             "cancels, and 1 - z lacks the digits that the rounding of z has lost; 4 x (1 - x) has "
+             "all digits");
+        REQUIRE(off_in_epsilons <= 8);
     }
 }
 

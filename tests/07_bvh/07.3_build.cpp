@@ -48,7 +48,7 @@ std::vector<Box> boxes_at(const std::vector<Vec3>& middles) {
 // What a learner sees if the program crashes in one of these two.
 int split_in_half(std::span<int> order, const std::vector<Box>& boxes) {
     INFO(IF_IT_CRASHES
-         "a and b of the lambda are already numbers of spheres, so write boxes[a] and not "
+         "a and b of the lambda are already IDs of spheres, so write boxes[a] and not "
          "boxes[order[a]]; and compare with <, never with <= or a difference");
     return rt::split_in_half(order, boxes);
 }
@@ -106,7 +106,7 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
     const int left =
         level < rt::most_levels ? split(order, boxes) : rt::split_in_half(order, boxes);
     const std::string where = "a node at level " + std::to_string(level) + " over " +
-                              std::to_string(order.size()) + " numbers from index " +
+                              std::to_string(order.size()) + " IDs from index " +
                               std::to_string(first) + " on, " + std::to_string(left) +
                               " of them to the left";
     if (!(node.box == around)) {
@@ -115,7 +115,7 @@ void follow(const rt::TreeNode& node, std::span<int> order, int first,
              << (level > rt::most_levels
                      ? "check which part of the order you pass on. From level most_levels on, call "
                        "split_in_half; each child is one level deeper than its parent"
-                     : "join boxes[number] for the numbers in order, and no others"));
+                     : "join boxes[id] for the IDs in order, and no others"));
         REQUIRE(checkpoint::text(node.box) == checkpoint::text(around));
     }
     const char* const expected = left == 0 ? "a leaf" : "a node with two children";
@@ -176,7 +176,7 @@ TEST_CASE("07.3 half of the spheres go to the left", "[07.3]") {
         auto order = numbers(boxes.size());
         const int left = split_in_half(order, boxes);
         INFO("41 spheres, farthest apart along axis "
-             << axis << "; numbers that your split puts to the left: " << left);
+             << axis << "; IDs that your split puts to the left: " << left);
         REQUIRE(left == 20);
         CHECK(from_smallest(order) == numbers(41));
         INFO("along this axis, the centers must be in ascending order");
@@ -221,12 +221,12 @@ TEST_CASE("07.3 spheres are sorted along the axis on which their centers extend 
             CHECK(right);
             continue;
         }
-        INFO(order.size() << " numbers of " << boxes.size() << " boxes, whose size is about "
+        INFO(order.size() << " IDs of " << boxes.size() << " boxes, whose size is about "
                           << checkpoint::text(size) << ", around " << checkpoint::text(origin));
         REQUIRE(left == static_cast<int>(order.size()) / 2);
         REQUIRE(from_smallest(sorted) == from_smallest(order));
         INFO(
-            "Hint: only the numbers in order count. Join their centers, take the longest axis of "
+            "Hint: only the IDs in order count. Join their centers, take the longest axis of "
             "the result, and sort all of them by the same centers along this axis");
         REQUIRE(order_of_middles(sorted, boxes) == ascending);
     }
@@ -258,7 +258,7 @@ TEST_CASE("07.3 spheres are sorted by the centers of their boxes", "[07.3]") {
     CHECK(first_sorted(order, 4) == std::vector<int>{0, 1, 2, 3});
 }
 
-TEST_CASE("07.3 the axis depends on the first and the last of the numbers as well", "[07.3]") {
+TEST_CASE("07.3 the axis depends on the first and the last of the IDs as well", "[07.3]") {
     for (const std::size_t far : {0u, 7u}) {
         std::vector<Vec3> middles;
         for (int i = 0; i < 8; ++i) middles.push_back({0, static_cast<Real>((i * 5) % 8), 0});
@@ -266,7 +266,7 @@ TEST_CASE("07.3 the axis depends on the first and the last of the numbers as wel
         const auto boxes = boxes_at(middles);
         auto order = numbers(8);
         split_in_half(order, boxes);
-        INFO("number " << far << " alone has its center at x = 100, the others at x = 0");
+        INFO("ID " << far << " alone has its center at x = 100, the others at x = 0");
         CHECK(order_of_middles(order, boxes) == ascending);
     }
 }
@@ -286,10 +286,10 @@ TEST_CASE("07.3 the axis depends only on the boxes of the part that is split", "
     auto order = numbers(16);
     REQUIRE(split_in_half(std::span{order}.subspan(8), boxes) == 4);
     INFO(
-        "boxes has 16 boxes, but order has only the numbers 8 to 15, whose centers have the same "
+        "boxes has 16 boxes, but order has only the IDs 8 to 15, whose centers have the same "
         "x: sort along y");
     INFO(
-        "Hint: for (int number : order) take boxes[number]; start from the empty box, Box{}, "
+        "Hint: for (int id : order) take boxes[id]; start from the empty box, Box{}, "
         "because a box at (0, 0, 0) does not belong to this part");
     CHECK(first_sorted(std::span{order}.subspan(8), 4) == std::vector<int>{8, 10, 13, 15});
 }
@@ -302,9 +302,9 @@ TEST_CASE("07.3 the box of a node encloses only its own spheres", "[07.3]") {
     const auto root =
         rt::build_node(std::span{order}.subspan(5), 5, std::span{boxes}, rt::split_in_half);
     const Box expected{{29, 4, 4}, {81, 6, 6}};
-    INFO("the numbers 8, 7, 5, 3: " EXPECTED "a " << checkpoint::text(expected) << ", " ACTUAL "a "
-                                                  << checkpoint::text(root->box));
-    INFO("Hint: for (int number : order) join boxes[number] to the node's box, which starts empty");
+    INFO("the IDs 8, 7, 5, 3: " EXPECTED "a " << checkpoint::text(expected) << ", " ACTUAL "a "
+                                              << checkpoint::text(root->box));
+    INFO("Hint: for (int id : order) join boxes[id] to the node's box, which starts empty");
     CHECK(checkpoint::text(root->box) == checkpoint::text(expected));
 }
 
@@ -397,7 +397,7 @@ TEST_CASE("07.3 the tree follows the results of any split", "[07.3][hard]") {
                 return std::span{of}.subspan(static_cast<std::size_t>(first),
                                              static_cast<std::size_t>(count));
             };
-            INFO("a part of " << count << " numbers, from level " << level
+            INFO("a part of " << count << " IDs, from level " << level
                               << " on, split by a function of the test");
             const auto root = rt::build_node(part(order), first, std::span{boxes}, split, level);
             const long yours = asked;

@@ -41,7 +41,7 @@ struct ByHand {
                 "a leaf has no children, so return after its spheres; and a ray may miss a sphere");
             if (search.meets(root.box)) rt::find_nearest(root, search);
         }
-        INFO("sphere 2 is in no leaf.\nHint: search.shapes_in(node) has the numbers of a leaf");
+        INFO("sphere 2 is in no leaf.\nHint: search.shapes_in(node) has the IDs of a leaf");
         CHECK(search.nearest != 2);
         return search;
     }
@@ -153,7 +153,7 @@ TEST_CASE("07.4 the nearer of two spheres is found", "[07.4]") {
     for (const int number : {1, 0}) rt::try_shape(number, search);
     check_winner(search, {0, 4},
                  "try_shape finds sphere 1, then a nearer hit on sphere 0. Every nearer hit "
-                 "counts: only at the same t, the numbers decide");
+                 "counts: only at the same t, the IDs decide");
     check_winner(ByHand{{{5, 0, -5}, 1}, far}.search(ray), {1, 8}, "only the right sphere is hit");
     check_winner(ByHand{near, far}.search({{0, 0, 0}, {0, 1, 0}}), {}, "neither sphere is hit");
 }
@@ -170,7 +170,7 @@ TEST_CASE("07.4 of equally near spheres the last in the list counts", "[07.4]") 
     const Ray ray{{0, 0, 0}, {0, 0, -1}};
     ByHand same{{{0, 0, -5}, 1}, {{0, 0, -5}, 1}};
     const char* const hint =
-        "both hits are at t = 4: the higher number counts, whichever comes first in the tree";
+        "both hits are at t = 4: the higher ID counts, whichever comes first in the tree";
     check_winner(same.search(ray), {1, 4}, hint);
     same.order = {1, 0, 2};
     check_winner(same.search(ray), {1, 4}, hint);
@@ -180,7 +180,7 @@ TEST_CASE("07.4 of equally near spheres the last in the list counts", "[07.4]") 
     check_winner(search, {0, 4}, "nothing was found before: the first hit counts");
 }
 
-TEST_CASE("07.4 near ties are decided by t and exact ties by number", "[07.4][hard]") {
+TEST_CASE("07.4 near ties are decided by t and exact ties by ID", "[07.4][hard]") {
     rt::Rng rng{74, 3};
     for (int i = 0; i < 4000; ++i) {
         const Real size = any_size(rng, -9, 9);
@@ -219,7 +219,7 @@ TEST_CASE("07.4 near ties are decided by t and exact ties by number", "[07.4][ha
             count << " spheres whose hits are almost or exactly at the same t; the first is hit at "
                   << text(rt::hit_sphere(there[0].shape, ray, {}).value_or(-1)));
         INFO(
-            "Hint: compare t with == and <, and the numbers only at the same t. Test each sphere "
+            "Hint: compare t with == and <, and the IDs only at the same t. Test each sphere "
             "once, by search.meets_shape");
         REQUIRE(state(search) == state(after));
     }
@@ -252,7 +252,7 @@ TEST_CASE("07.4 a node may have three children", "[07.4]") {
     };
     const Real none = std::numeric_limits<Real>::quiet_NaN();
     const Case cases[] = {
-        {{4, 4, none, none, none, 5}, 1, 2, 6, "two shapes at the same t: the higher number"},
+        {{4, 4, none, none, none, 5}, 1, 2, 6, "two shapes at the same t: the higher ID"},
         {{4, 6, 5, none, none, 3}, 5, 2, 6, "the third child has the nearest shape"},
         {{none, none, none, none, none, 3}, 5, 2, 6, "only the third child has a hit"},
         {{4, 6, none, none, Real(1.5), 5},
@@ -332,7 +332,7 @@ TEST_CASE("07.4 most boxes and spheres are skipped", "[07.4]") {
     if (boxes < 40)
         hint = "go through search.children_of(node): it counts the box tests";
     else if (tests == 0)
-        hint = "call search.meets_shape(number): it counts the sphere tests";
+        hint = "call search.meets_shape(id): it counts the sphere tests";
     else if (boxes > 110)
         hint =
             "call search.children_of(node) once for each node. And do you move search.within.max "

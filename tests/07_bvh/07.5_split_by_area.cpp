@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <numeric>
+#include <rt/area_split.hpp>
 #include <rt/build.hpp>
 #include <rt/shape_tree.hpp>
-#include <rt/split_by_area.hpp>
 
 #include "own_process.hpp"
 #include "processor_time.hpp"
@@ -27,7 +27,9 @@ double area(const Box& box) {
     return 2 * (x * y + y * z + z * x);
 }
 
-double cost_of(const std::vector<int>& order, std::size_t k, const std::vector<Box>& boxes) {
+// Of a split into the first k of the order and the rest; of a leaf, if k is 0.
+double cost_of(const std::vector<int>& order, std::size_t k, const std::vector<Box>& boxes,
+               Real boxes_cost) {
     Box left, right;
     for (std::size_t i = 0; i < order.size(); ++i) {
         Box& side = i < k ? left : right;
@@ -35,7 +37,7 @@ double cost_of(const std::vector<int>& order, std::size_t k, const std::vector<B
     }
     const double n = double(order.size());
     if (k == 0) return n;
-    return 1 +
+    return double(boxes_cost) +
            (double(k) * area(left) + (n - double(k)) * area(right)) / area(rt::join(left, right));
 }
 
@@ -50,7 +52,7 @@ std::vector<int> sorted_along(int axis, const std::vector<Box>& boxes, std::vect
 
 // The lowest cost of a leaf and of all splits between different centers, tried one by one. The
 // learner chooses in which order equal centers come.
-double best_cost(const std::vector<int>& numbers, const std::vector<Box>& boxes) {
+double best_cost(const std::vector<int>& numbers, const std::vector<Box>& boxes, Real boxes_cost) {
     double best = double(numbers.size());
     for (int axis = 0; axis < 3; ++axis) {
         const auto order = sorted_along(axis, boxes, numbers);
@@ -58,7 +60,8 @@ double best_cost(const std::vector<int>& numbers, const std::vector<Box>& boxes)
             return rt::along(boxes[static_cast<std::size_t>(order[k])].center(), axis);
         };
         for (std::size_t k = 1; k < order.size(); ++k)
-            if (middle(k - 1) < middle(k)) best = std::min(best, cost_of(order, k, boxes));
+            if (middle(k - 1) < middle(k))
+                best = std::min(best, cost_of(order, k, boxes, boxes_cost));
     }
     return best;
 }
@@ -74,36 +77,38 @@ double allowed(const std::vector<int>& order, const std::vector<Box>& boxes) {
     return 1 + 4 * double(rt::rounding_bound(16)) + 16 * double(rounded);
 }
 
-void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
+void check_split(const std::vector<int>& part, const std::vector<Box>& boxes, Real boxes_cost) {
     auto order = part;
-    const int left = rt::split_by_area(order, boxes);
+    const int left = rt::split_by_area(order, boxes, boxes_cost);
     REQUIRE(left >= 0);
     REQUIRE(static_cast<std::size_t>(left) < part.size());
     REQUIRE(from_smallest(order) == from_smallest(part));
     const auto k = static_cast<std::size_t>(left);
-    const double cost = cost_of(order, k, boxes), best = best_cost(part, boxes),
-                 leaf = double(order.size()), factor = allowed(part, boxes);
+    const double cost = cost_of(order, k, boxes, boxes_cost),
+                 best = best_cost(part, boxes, boxes_cost), leaf = double(order.size()),
+                 factor = allowed(part, boxes);
     if (cost > best * factor) {
         std::string hint =
-            "try every k from 1 to count - 1 along every axis; its cost is 1 * area(A) + k * "
-            "area(left) + "
-            "(count - k) * area(right). In the end, the numbers must be sorted along the axis that "
+            "try every k from 1 to count - 1 along every axis; its cost is boxes_cost * area(A) + "
+            "k * area(left) + (count - k) * area(right). In the end, the IDs must be sorted "
+            "along the axis that "
             "k belongs to";
         if (k == 0)
             hint =
-                "a split is cheaper than a leaf here. Everything is multiplied by area(A), so the "
-                "1 becomes area(A); and A is the box around this part";
+                "a split is cheaper than a leaf here. Everything is multiplied by area(A), so "
+                "boxes_cost becomes boxes_cost * area(A); and A is the box around this part";
         else if (best >= leaf)
             hint = "a leaf is cheaper than any split: its cost is count * area(A)";
         else if (order.size() > 10)  // with few spheres it may be chance
             for (int axis = 0; axis < 3; ++axis)
-                if (cost_of(sorted_along(axis, boxes, order), k, boxes) <= best * factor) {
+                if (cost_of(sorted_along(axis, boxes, order), k, boxes, boxes_cost) <=
+                    best * factor) {
                     hint =
                         "sort along the best axis once more: this count is right for the order "
                         "along ";
                     hint += "xyz"[axis];
                 }
-        INFO(part.size() << " spheres; your split puts " << left
+        INFO(part.size() << " spheres, boxes_cost " << boxes_cost << "; your split puts " << left
                          << " of them to the left, at a cost of " << cost
                          << "; the best split costs " << best << ", a leaf " << leaf
                          << ".\nHint: " << hint);
@@ -112,18 +117,18 @@ void check_split(const std::vector<int>& part, const std::vector<Box>& boxes) {
     if (k == 0) return;
     // In the order that was returned, no other k may be better.
     for (std::size_t other = 1; other < part.size(); ++other) {
-        const double better = cost_of(order, other, boxes);
+        const double better = cost_of(order, other, boxes, boxes_cost);
         if (cost <= better * factor) continue;
         INFO(part.size()
              << " spheres; your split puts " << left << " of them to the left, at a cost of "
              << cost << "; the same order with " << other << " to the left costs " << better
              << ".\nHint: is this the order whose costs you computed? If you sort once more, equal "
-                "centers must come in the same order: put the lower number first");
+                "centers must come in the same order: put the lower ID first");
         REQUIRE(text(Real(cost)) == text(Real(better)));
     }
 }
-void check_split(const std::vector<Box>& boxes) {
-    check_split(numbers(boxes.size()), boxes);
+void check_split(const std::vector<Box>& boxes, Real boxes_cost = 1) {
+    check_split(numbers(boxes.size()), boxes, boxes_cost);
 }
 
 Box cube(Vec3 middle, Real half) {
@@ -182,7 +187,7 @@ TEST_CASE("07.5 two groups are kept apart", "[07.5]") {
             boxes.push_back({p, p + Vec3{1, 1, 1}});
         }
         auto order = numbers(12);
-        const int left = rt::split_by_area(order, boxes);
+        const int left = rt::split_by_area(order, boxes, 1);
         {
             HINT(Real(9), static_cast<Real>(left),
                  "nine spheres are near 0 and three near 100: the boxes are smallest if you split "
@@ -193,7 +198,7 @@ TEST_CASE("07.5 two groups are kept apart", "[07.5]") {
         INFO("the best split has 9 spheres on the left, along axis "
              << axis
              << ", but the nine near spheres do not come first.\n"
-                "Hint: after all three axes the numbers are "
+                "Hint: after all three axes the IDs are "
                 "sorted along z; sort along the best axis once "
                 "more");
         REQUIRE((std::none_of(order.begin(), order.begin() + 9, is_far) &&
@@ -204,7 +209,24 @@ TEST_CASE("07.5 two groups are kept apart", "[07.5]") {
 TEST_CASE("07.5 the cheapest of all splits is found", "[07.5]") {
     for (const int count : {2, 3, 5, 17, 300})
         for (std::uint64_t seed = 1; seed <= 8; ++seed)
-            check_split(rt::bounds_of(random_spheres(count, seed)));
+            for (const Real boxes_cost : {Real(1), Real(4)})
+                check_split(rt::bounds_of(random_spheres(count, seed)), boxes_cost);
+}
+
+TEST_CASE("07.5 the caller says what the test of both boxes costs", "[07.5]") {
+    // Two groups of three cubes, far apart: few of the rays through A meet either group.
+    std::vector<Box> boxes;
+    for (int i = 0; i < 6; ++i)
+        boxes.push_back(cube({i < 3 ? Real(0) : Real(100), 0, 0}, Real(0.5)));
+    for (const Real boxes_cost : {Real(1), Real(4), Real(8)}) {
+        auto order = numbers(boxes.size());
+        const int left = rt::split_by_area(order, boxes, boxes_cost);
+        INFO("boxes_cost is " << boxes_cost);
+        HINT(Real(boxes_cost < 5 ? 3 : 0), static_cast<Real>(left),
+             "few rays meet either group of three, so the split costs boxes_cost + 0.1, "
+             "and a leaf 6");
+        CHECK(left == (boxes_cost < 5 ? 3 : 0));
+    }
 }
 
 // Few boxes at a time, because then a leaf often costs nearly as much as a split. They have all
@@ -227,7 +249,7 @@ TEST_CASE("07.5 the cheapest split or a leaf is chosen for any part of a scene",
                                    : cube(3 * size * p, 5 * size * p.x * p.y));
         }
         for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[rng() % k]);
-        check_split(order, boxes);
+        check_split(order, boxes, Real(i % 5));
     }
 }
 
@@ -260,7 +282,7 @@ TEST_CASE("07.5 a split and a leaf of almost the same cost are told apart", "[07
             const std::vector<Box> boxes{{{0, 0, 0}, {edge, edge, edge}},
                                          {{gap, 0, 0}, {gap + edge, edge, edge}}};
             auto order = numbers(2);
-            const int left = rt::split_by_area(order, boxes);
+            const int left = rt::split_by_area(order, boxes, 1);
             INFO("two cubes of edge " << checkpoint::text(edge) << ", the second one moved by "
                                       << checkpoint::text(gap) << " along x: " EXPECTED
                                       << (apart ? "1, the split" : "0, the leaf") << ", " ACTUAL
@@ -273,7 +295,7 @@ TEST_CASE("07.5 a split and a leaf of almost the same cost are told apart", "[07
 TEST_CASE("07.5 a leaf is made unless a split is cheaper", "[07.5]") {
     const auto expect_leaf = [](const std::vector<Box>& boxes, const char* hint) {
         auto order = numbers(boxes.size());
-        const int left = rt::split_by_area(order, boxes);
+        const int left = rt::split_by_area(order, boxes, 1);
         HINT(Real(0), static_cast<Real>(left), hint);
         CHECK(left == 0);
     };
@@ -288,7 +310,7 @@ TEST_CASE("07.5 a leaf is made unless a split is cheaper", "[07.5]") {
 
 TEST_CASE("07.5 no sphere is lost if the centers are equal", "[07.5]") {
     checkpoint::check_equal_centers(
-        [](auto order, auto boxes) { rt::split_by_area(order, boxes); });
+        [](auto order, auto boxes) { rt::split_by_area(order, boxes, 1); });
 }
 
 TEST_CASE("07.5 only the boxes of the part that is split count", "[07.5]") {
@@ -296,10 +318,10 @@ TEST_CASE("07.5 only the boxes of the part that is split count", "[07.5]") {
     std::vector<Box> boxes(6, cube({0, 0, 0}, 1000));
     for (int i = 0; i < 6; ++i) boxes.push_back(cube({5, 0, 0}, Real(0.5)));
     auto order = numbers(boxes.size());
-    const int left = rt::split_by_area(std::span{order}.subspan(6), boxes);
+    const int left = rt::split_by_area(std::span{order}.subspan(6), boxes, 1);
     HINT(Real(0), static_cast<Real>(left),
-         "6 equal boxes in one place make a leaf. A is the box around those whose numbers are in "
-         "order: for (int number : order) join boxes[number]");
+         "6 equal boxes in one place make a leaf. A is the box around those whose IDs are in "
+         "order: for (int id : order) join boxes[id]");
     CHECK(left == 0);
 }
 
@@ -311,7 +333,7 @@ TEST_CASE("07.5 rays need fewer tests than in a tree split in half", "[07.5]") {
     for (int i = 0; i < 500; ++i)
         add(spheres, 4 * in_cube(rng), Real(0.02) + (i % 50 == 0 ? Real(0.8) : Real(0)));
     const rt::SphereTree half = rt::make_tree(spheres, rt::split_in_half);
-    const rt::SphereTree by_area = rt::make_tree(spheres, rt::split_by_area);
+    const rt::SphereTree by_area = rt::make_tree(spheres, rt::AreaSplit{1});
     long tests_half = 0, tests_area = 0;
     for (int i = 0; i < 300; ++i) {
         const Vec3 from{0, 2, 12};
@@ -337,7 +359,7 @@ TEST_CASE("07.5 boxes without area stay together in a leaf", "[07.5][hard]") {
         std::vector<Box> boxes;
         for (Real x = 0; x < 8; ++x) boxes.push_back({{x, 0, 0}, {x + length, 0, 0}});
         auto order = numbers(boxes.size());
-        const int left = rt::split_by_area(order, boxes);
+        const int left = rt::split_by_area(order, boxes, 1);
         HINT(Real(0), static_cast<Real>(left),
              "the box around 8 points or lines on the x axis has area 0: nothing is cheaper");
         CHECK(left == 0);
@@ -348,7 +370,7 @@ TEST_CASE("07.5 the cheapest splits are found in hard scenes", "[07.5][hard]") {
     for (const NamedScene& scene : hard_scenes()) {
         INFO(scene.name);
         check_split(rt::bounds_of(scene.spheres));
-        const rt::SphereTree tree = rt::make_tree(scene.spheres, rt::split_by_area);
+        const rt::SphereTree tree = rt::make_tree(scene.spheres, rt::AreaSplit{});
         check_tree(*tree.root, tree.order, rt::bounds_of(scene.spheres));
     }
 }
@@ -366,14 +388,14 @@ TEST_CASE("07.5 boxes with equal centers keep the order whose cost was computed"
         for (std::size_t k = order.size(); k > 1; --k) std::swap(order[k - 1], order[rng() % k]);
         {
             auto split = order;
-            const int left = rt::split_by_area(split, boxes);
+            const int left = rt::split_by_area(split, boxes, 1);
             INFO(count
                  << " boxes with the same center, one of them huge: whatever your rule for equal "
                     "centers, some of the boxes can be split off from the huge one\nHint: any k "
                     "may be the best, even where the centers to its left and right are equal");
             REQUIRE(left > 0);
         }
-        check_split(order, boxes);
+        check_split(order, boxes, 1);
     }
 }
 
@@ -390,7 +412,7 @@ TEST_CASE("07.5 splitting many spheres takes less than 15 times as long as sorti
             for (const int axis : {0, 1, 2, 0}) order = sorted_along(axis, boxes, order);
         });
         order = numbers(boxes.size());
-        const double all = seconds([&] { left = rt::split_by_area(order, boxes); });
+        const double all = seconds([&] { left = rt::split_by_area(order, boxes, 4); });
         ratio = all / sorting;
         if (ratio < 15) break;
     }
@@ -412,7 +434,7 @@ TEST_CASE("07.5 as many spheres as fit into memory can be split", "[07.5][hard]"
     // With half a megabyte of stack: less than one number for each sphere needs.
     const std::string actual = in_own_process(
         [&] {
-            const int left = rt::split_by_area(order, boxes);
+            const int left = rt::split_by_area(order, boxes, 1);
             return left > count / 4 && left < count / 4 * 3 ? "split" : std::to_string(left);
         },
         3, std::size_t{512} << 10);

@@ -27,7 +27,7 @@ void check_equal_centers(const Split& split) {
     std::sort(order.begin() + part, order.begin() + 2 * part);
     INFO(
         "60 spheres have the same center. After sorting, this part of the order no longer holds "
-        "the same numbers.\nHint: the lambda of std::sort compares with <. With <=, or with a "
+        "the same IDs.\nHint: the lambda of std::sort compares with <. With <=, or with a "
         "difference, each of two equal centers comes before the other, and std::sort runs past "
         "the ends");
     REQUIRE((order == before));
@@ -77,7 +77,7 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
             if (node.box.contains(boxes[sphere])) continue;
             INFO("its " << text(node.box) << " does not contain its sphere's "
                         << text(boxes[sphere])
-                        << ".\nHint: join boxes[number] for all numbers in order, and no others");
+                        << ".\nHint: join boxes[id] for all IDs in order, and no others");
             REQUIRE(text(rt::join(node.box, boxes[sphere])) == text(node.box));
         }
         return;
@@ -87,14 +87,14 @@ inline void check_node(const rt::TreeNode& node, const std::vector<int>& order,
         if (!node.box.contains(child->box)) {
             INFO("a node's " << text(node.box) << " does not contain its child's "
                              << text(child->box)
-                             << ".\nHint: join boxes[number] for all numbers in order, and pass "
+                             << ".\nHint: join boxes[id] for all IDs in order, and pass "
                                 "boxes on as it is: it belongs to the whole scene");
             REQUIRE(text(rt::join(node.box, child->box)) == text(node.box));
         }
     const Box both = rt::join(node.left->box, node.right->box);
     if (!(both == node.box)) {
         INFO("a node's " << text(node.box) << " is larger than its children's " << text(both)
-                         << ".\nHint: join boxes[number] for the numbers in order, and no others");
+                         << ".\nHint: join boxes[id] for the IDs in order, and no others");
         REQUIRE(text(node.box) == text(both));
     }
     check_node(*node.left, order, boxes, leaves_of);
@@ -108,7 +108,7 @@ inline void check_tree(const rt::TreeNode& root, const std::vector<int>& order,
     std::vector<int> sorted = order;
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t i = 0; i < sorted.size(); ++i) {
-        INFO("the order must still hold every number once");
+        INFO("the order must still hold every ID once");
         REQUIRE(sorted[i] == static_cast<int>(i));
     }
     const int held = check_places(root, 0);

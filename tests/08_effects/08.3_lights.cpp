@@ -429,7 +429,7 @@ TEST_CASE("08.3 from inside every direction leads to the light", "[08.3][hard]")
         INFO("200 parts of equal solid angle should get "
              << expected[0] << " of " << count
              << " directions each; the chi-square is that of the heights.\nHint: call "
-                "uniform_direction of 04.3");
+                "uniform_direction of 05.2");
         CHECK(by_zones < limit);
     }
     INFO("200 parts of equal solid angle should get "

@@ -395,6 +395,34 @@ TEST_CASE("08.4 small lights are found although paths hardly ever meet them", "[
     CHECK(std::abs(direct.mean() - expected) <= 0.01 * expected);
 }
 
+TEST_CASE("08.4 a light behind glass is added to the light that was collected", "[08.4]") {
+    // A white floor under a bulb, glass of index 1 around both, and a lamp around everything. Every
+    // path meets the floor, where the bulb is sampled, the glass, where nothing is, and the lamp.
+    const rt::Sphere bulb{{0, 5, 0}, Real(0.001)};
+    const rt::SphereList world{
+        {{floor_ball, 0}, {{{0, 0, 0}, 30}, 1}, {{{0, 0, 0}, 50}, 2, 0}, {bulb, 2, 1}}};
+    const rt::MaterialSet<rt::Lambertian, rt::Dielectric> materials{
+        {white, rt::Dielectric{1}, rt::Lambertian{{0, 0, 0}}}};
+    OneSample lights;
+    lights.add({rt::Sphere{{0, 0, 0}, 50}, {1, 2, 3}, 0});
+    lights.add({bulb, {20000, 20000, 20000}, 1});
+    // Of a density so large that the star's weight is 1.
+    const Real density = 10000;
+    lights.sample =
+        rt::ChosenLight{{{0, 1, 0}, 5, density}, {20000, 20000, 20000}, &lights.all()[1]};
+    rt::Rng random{8, 4};
+    const Color found = rt::lit_path_radiance(down, world, materials, rt::UniformSky{{0, 0, 0}},
+                                              lights, rt::NoFog{}, rt::SkyEnding{}, 9, random);
+    const Color expected = Color{1, 2, 3} + 2 / rt::pi * Color{1, 1, 1};
+    INFO("light "
+         << text(found) << ", " EXPECTED << text(expected)
+         << ": 0.637 from the bulb above the floor, and (1, 2, 3) from the lamp behind the "
+            "glass.\nHint: at glass no light is sampled, so `sampled` is false again there, "
+            "and the lamp that the path then meets is added in full to what was collected");
+    CHECK(rt::max_component(Vec3{found.r - expected.r, found.g - expected.g,
+                                 found.b - expected.b}) < Real(0.001));
+}
+
 TEST_CASE("08.4 a furnace whose light comes from lights alone stays white", "[08.4][hard]") {
     // The camera is inside a light of radiance 1: whatever it sees is white, fog or no fog.
     for (const Real density : {Real(0), Real(0.4)}) {
@@ -515,32 +543,4 @@ TEST_CASE("08.4 a light that is seen in a mirror counts in full", "[08.4]") {
         "mirror gives a density of 0, so no light is sampled there: a light that the path meets "
         "after the mirror counts in full");
     check_same(direct, pure);
-}
-
-TEST_CASE("08.4 a light behind glass is added to the light that was collected", "[08.4]") {
-    // A white floor under a bulb, glass of index 1 around both, and a lamp around everything. Every
-    // path meets the floor, where the bulb is sampled, the glass, where nothing is, and the lamp.
-    const rt::Sphere bulb{{0, 5, 0}, Real(0.001)};
-    const rt::SphereList world{
-        {{floor_ball, 0}, {{{0, 0, 0}, 30}, 1}, {{{0, 0, 0}, 50}, 2, 0}, {bulb, 2, 1}}};
-    const rt::MaterialSet<rt::Lambertian, rt::Dielectric> materials{
-        {white, rt::Dielectric{1}, rt::Lambertian{{0, 0, 0}}}};
-    OneSample lights;
-    lights.add({rt::Sphere{{0, 0, 0}, 50}, {1, 2, 3}, 0});
-    lights.add({bulb, {20000, 20000, 20000}, 1});
-    // Of a density so large that the star's weight is 1.
-    const Real density = 10000;
-    lights.sample =
-        rt::ChosenLight{{{0, 1, 0}, 5, density}, {20000, 20000, 20000}, &lights.all()[1]};
-    rt::Rng random{8, 4};
-    const Color found = rt::lit_path_radiance(down, world, materials, rt::UniformSky{{0, 0, 0}},
-                                              lights, rt::NoFog{}, rt::SkyEnding{}, 9, random);
-    const Color expected = Color{1, 2, 3} + 2 / rt::pi * Color{1, 1, 1};
-    INFO("light "
-         << text(found) << ", " EXPECTED << text(expected)
-         << ": 0.637 from the bulb above the floor, and (1, 2, 3) from the lamp behind the "
-            "glass.\nHint: at glass no light is sampled, so `sampled` is false again there, "
-            "and the lamp that the path then meets is added in full to what was collected");
-    CHECK(rt::max_component(Vec3{found.r - expected.r, found.g - expected.g,
-                                 found.b - expected.b}) < Real(0.001));
 }

@@ -1,11 +1,11 @@
 #include <checkpoint.hpp>
 #include <random_inputs.hpp>
+#include <rt/area_split.hpp>
 #include <rt/instance.hpp>
 #include <rt/instance_shape.hpp>
 #include <rt/leave_surface.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/rng.hpp>
-#include <rt/split_by_area.hpp>
 #include <statistics.hpp>
 
 using namespace checkpoint;
@@ -349,7 +349,7 @@ TEST_CASE("08.5 a tree of instances finds the same hits as testing all of them",
         std::vector<Instance> instances;
         for (int i = 0; i < count; ++i)
             instances.push_back(rt::make_instance(any_map(rng, 2, 1), i));
-        const auto tree = rt::make_tree(instances, rt::split_by_area);
+        const auto tree = rt::make_tree(instances, rt::AreaSplit{});
         for (int i = 0; i < 1500; ++i) {
             const Ray ray{9 * any_direction(rng), any_size(rng, -3, 3) * any_direction(rng)};
             Interval within;

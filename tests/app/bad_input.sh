@@ -91,11 +91,12 @@ case $name in
     00* | 01*) can='' ;;
     02*) can='direction' ;;
     03*) can='direction normal distance sphere' ;;
+    07*) can='direction normal distance sphere bounces samples boxes' ;;
     *) can='direction normal distance sphere bounces samples' ;;
 esac
 if [ -n "$can" ]; then
     "$program" --quiet $small --out usual.ppm
-    for word in direction normal distance sphere bounces samples; do
+    for word in direction normal distance sphere bounces samples boxes; do
         case " $can " in
             *" $word "*)
                 draws $small --show $word --out $word.ppm
@@ -121,10 +122,10 @@ fi
 # Where the image is to go.
 refuses 2 'folder' --out folder
 refuses 2 'folder' --out folder.png
-refuses 2 '\.png or \.ppm' --out ''
-refuses 2 'use \.png or \.ppm' --out image.jpg
-refuses 2 'use \.png or \.ppm' --out image
-refuses 2 'use \.png or \.ppm' --out 'two
+refuses 2 '\.png, \.ppm, \.hdr or \.pfm' --out ''
+refuses 2 'use \.png, \.ppm, \.hdr or \.pfm' --out image.jpg
+refuses 2 'use \.png, \.ppm, \.hdr or \.pfm' --out image
+refuses 2 'use \.png, \.ppm, \.hdr or \.pfm' --out 'two
 lines.bmp'
 refuses 1 'does not exist' --out nowhere/image.png
 refuses 1 'does not exist' --out old.png/image.png
@@ -232,6 +233,18 @@ fi
 for image in 'with spaces.png' old.png target.png tiny.png; do
     head -c 4 "$image" | grep -q PNG || complain "$image" "is no PNG"
 done
+# Linear light: a header, and in .pfm 12 bytes for each pixel.
+draws --width 3 --height 2 --out light.hdr && draws --width 3 --height 2 --out light.pfm
+head -c 11 light.hdr | grep -q RADIANCE || complain light.hdr "is no Radiance file"
+{ [ "$(head -n 1 light.pfm)" = PF ] && [ "$(wc -c <light.pfm)" -eq 84 ]; } || complain light.pfm "is no PFM file"
+if "$program" --help | grep -q -- --exposure; then
+    for value in '' a nan inf 33 -33 1,2; do
+        refuses 2 'number of stops from -32 to 32' --exposure "$value" --out old.png
+    done
+    refuses 2 'exclude each other' --show normal --exposure 1 --out old.png
+    draws $small --exposure 1 --out brighter.ppm && draws $small --out usual.ppm
+    ! cmp -s usual.ppm brighter.ppm || complain --exposure 'draws the same picture'
+fi
 head -c 1 ./-dash.ppm | grep -q P || complain -dash.ppm "is no PPM"
 [ -z "$(find . -name '*.part')" ] || complain "" "temporary files were left"
 

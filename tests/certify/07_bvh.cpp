@@ -1,8 +1,8 @@
 // The tree: the hits of the linear list among 10,000 spheres, and work that grows like a logarithm.
 #include <chrono>
+#include <rt/area_split.hpp>
 #include <rt/shape_tree.hpp>
 #include <rt/sphere_list.hpp>
-#include <rt/split_by_area.hpp>
 
 #include "certificate.hpp"
 
@@ -51,7 +51,7 @@ void every_sphere_once(Certificate& certificate) {
 void same_hits(Certificate& certificate) {
     const auto all = spheres(10'000);
     const rt::SphereTree sorted = rt::make_tree(all, rt::split_in_half);
-    const rt::SphereTree by_area = rt::make_tree(all, rt::split_by_area);
+    const rt::SphereTree by_area = rt::make_tree(all, rt::AreaSplit{});
     const rt::SphereList list{all};
     rt::Rng rng{1, 8};
     long different = 0, hits = 0;
@@ -88,7 +88,7 @@ struct Work {
 };
 
 Work work(int count) {
-    const rt::SphereTree tree = rt::make_tree(spheres(count), rt::split_by_area);
+    const rt::SphereTree tree = rt::make_tree(spheres(count), rt::AreaSplit{});
     rt::Rng rng{2, 8};
     std::vector<rt::Ray> rays;
     for (int i = 0; i < 5000; ++i) rays.push_back(any_ray(rng));

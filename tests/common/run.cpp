@@ -1,6 +1,8 @@
 #include <app/json.hpp>
 #include <app/run.hpp>
+#include <cmath>
 #include <csignal>
+#include <rt/light_file.hpp>
 #include <study/report.hpp>
 
 #include "checkpoint.hpp"
@@ -116,6 +118,9 @@ TEST_CASE("a program describes its options and their defaults", "[run]") {
     CHECK(defaults["seed"] == "7");
     CHECK(defaults["ending"] == "sky");
     CHECK(defaults.count("study") == 1);
+    CHECK(defaults.count("show") == 0);
+    with_more.shows = {"normal", "distance"};
+    CHECK(described(with_more)["show"] == "normal distance");
     app::Program plain = program();
     plain.defaults = {.width = 8, .height = 4};
     plain.study = nullptr;
@@ -133,6 +138,47 @@ TEST_CASE("a chapter may encode PPM files in its own way", "[run]") {
     CHECK(run({"--out", folder.file("a.png")}, own) == app::done);
     CHECK(read_file(folder / "a.ppm") == "mine");
     CHECK(read_file(folder / "a.png").find("PNG") == 1);
+}
+
+TEST_CASE("a file's extension says whether it holds light or what a screen shows", "[run]") {
+    const TemporaryFolder folder;
+    app::Program bright = program();
+    bright.render = [](const app::Settings&, app::Progress&) {
+        return app::Picture{rt::Image{2, 1, {8, 1, rt::Real(0.25)}}};
+    };
+    for (const char* const name : {"a.pfm", "a.hdr"}) {
+        CHECK(run({"--out", folder.file(name)}, bright) == app::done);
+        CHECK(rt::decode_light(read_file(folder / name), 2) ==
+              rt::Image{2, 1, {8, 1, rt::Real(0.25)}});
+    }
+    for (const char* const name : {"a.PFM", "a.exr", "a.hdr.gz"})
+        CHECK(run({"--out", folder.file(name)}, bright) == app::bad_input);
+}
+
+TEST_CASE("each stop of exposure doubles the light of the file", "[run]") {
+    const TemporaryFolder folder;
+    app::Program bright = program();
+    bright.defaults.exposure = 0;
+    bright.shows = {"normal"};
+    bright.render = [](const app::Settings&, app::Progress&) {
+        return app::Picture{rt::Image{2, 1, {8, 1, rt::Real(0.25)}}};
+    };
+    const auto red = [&](const std::string& stops) {
+        REQUIRE(run({"--out", folder.file("a.pfm"), "--exposure", stops}, bright) == app::done);
+        return rt::decode_light(read_file(folder / "a.pfm"), 2).at(1, 0).r;
+    };
+    CHECK(red("0") == 8);
+    CHECK(red("2") == 32);
+    CHECK(red("-3") == 1);
+    CHECK(red("0.5") == static_cast<rt::Real>(static_cast<float>(8 * std::sqrt(2.0))));
+    CHECK(run({"--out", folder.file("b.png"), "--exposure=-32"}, bright) == app::done);
+    for (const char* const stops : {"", "a", "nan", "inf", "33", "-32.1", "1,2", "0x1"})
+        CHECK(run({"--out", folder.file("c.png"), "--exposure", stops}, bright) == app::bad_input);
+    CHECK(run({"--out", folder.file("c.png"), "--show", "normal"}, bright) == app::done);
+    CHECK(run({"--out", folder.file("c.png"), "--show", "normal", "--exposure", "1"}, bright) ==
+          app::bad_input);
+    // A picture with a figure around it has no such option.
+    CHECK(run({"--out", folder.file("c.png"), "--exposure", "1"}) == app::bad_input);
 }
 
 TEST_CASE("a study makes its folder and draws no picture", "[run]") {

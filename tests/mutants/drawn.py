@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """The exercises whose mutants `./course test --push` tries, one a line.
 
-These are the ones whose files have changed since the commit in .ci/last_green, on which all tests passed, and a tenth
-of the others. The hash of the commit at hand draws them, so that each run of a commit tries the same. Where git
+These are the ones whose files have changed since the commit in .ci/last_green, on which the mutants of all exercises were
+tried and as they should be, and a tenth of the others. The hash of the commit at hand draws them, so that each run of a commit tries the same. Where git
 does not know the commit in .ci/last_green, as in a shallow clone, all exercises count as changed.
 
   drawn.py           prints them
@@ -27,7 +27,7 @@ def git(*words):
 
 
 def changed_files():
-    """The files that differ from those of the last commit on which all tests passed, or None if that is not known."""
+    """The files that differ from those of the commit in .ci/last_green, or None if that is not known."""
     since = git("diff", "--name-only", "-z", GREEN.read_text().strip(), "--") if GREEN.exists() else None
     new = git("ls-files", "-z", "--others", "--exclude-standard")
     return None if since is None or new is None else [file for file in (since + new).split("\0") if file]

@@ -12,6 +12,7 @@
 //   between
 //                                    their names, for tests/pictures.py. For a name, there may be a
 //                                    folder with changed headers.
+//   mistake_tool trail FILE          What --follow says of a trail, for tests/follow.py.
 
 #include <algorithm>
 #include <app/errors.hpp>
@@ -21,6 +22,7 @@
 #include <companion/check/known_mistakes.hpp>
 #include <companion/check/likely.hpp>
 #include <companion/check/sanitized.hpp>
+#include <companion/follow/trail.hpp>
 #include <companion/model/source.hpp>
 #include <companion/system/files.hpp>
 #include <companion/system/parallel.hpp>
@@ -275,10 +277,14 @@ int run(const std::vector<std::string>& words) {
         if (words[0] == "compare") return what_compare_says(words[1]);
         if (words[0] == "memory") return memory(words[1]);
         if (words[0] == "races") return races(words[1]);
+        if (words[0] == "trail") {
+            std::fputs(in_words(read_trail(read_file(words[1]))).c_str(), stdout);
+            return app::done;
+        }
     }
     throw app::UsageError(
         "usage: mistake_tool check NN.k, or certify, pictures, compare, memory or races NN_topic, "
-        "or program NAMES TARGET FILE");
+        "or program NAMES TARGET FILE, or trail FILE");
 }
 
 }  // namespace

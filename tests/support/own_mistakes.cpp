@@ -2,7 +2,7 @@
 // answer to chapter 09 in the file, or the one of this name, as `course own judge --part` does.
 // Exactly the lines that the file names must fail: "caught by", and those of "also fails", with ";
 // " between them, or "all the part". Without a file it judges the answer in SOLUTION, which must
-// pass: with --core rungs 1 to 6, without it all but the page on accuracy, whose figures are those
+// pass: with --core steps 1 to 6, without it all but the page on accuracy, whose figures are those
 // of one machine. Lines that a busy machine cannot judge do not count.
 
 #include <algorithm>
@@ -23,7 +23,7 @@ using namespace companion;
 
 namespace {
 
-// "rung 3: one matte ball on the ground" belongs to "rung3".
+// "step 3: one matte ball on the ground" belongs to "step3".
 std::string part_of(const std::string& line) {
     std::string part = line.substr(0, line.find(':'));
     part.erase(std::remove(part.begin(), part.end(), ' '), part.end());
@@ -82,7 +82,7 @@ bool passes_all(const fs::path& reference, const fs::path& start, const fs::path
     if (!core)
         for (const std::string& part : optional_parts()) parts.push_back(part);
     std::erase_if(parts, [core](const std::string& part) {
-        return core ? part < "rung1" || part > "rung6" : part == "accuracy";
+        return core ? part < "step1" || part > "step6" : part == "accuracy";
     });
     judge_program(OwnProgram{folder.path()},
                   {folder.path(), reference, 1, {}, app::physical_cores()}, parts,

@@ -27,6 +27,23 @@ inline double chi_square(const std::vector<long>& observed, const std::vector<do
     return sum;
 }
 
+// Counts for chi_square, and what is expected of them. The first entry is for all cells together of
+// which fewer than 10 are expected.
+struct Cells {
+    std::vector<long> seen{0};
+    std::vector<double> wanted{0};
+
+    void add(long count, double expected) {
+        if (expected < 10) {
+            seen[0] += count;
+            wanted[0] += expected;
+        } else {
+            seen.push_back(count);
+            wanted.push_back(expected);
+        }
+    }
+};
+
 // Mean and standard error of numbers that come one by one.
 class Mean {
   public:

@@ -5,6 +5,7 @@
 #include <rt/prepare.hpp>
 #include <rt/rng.hpp>
 #include <rt/surface_hit.hpp>
+#include <rt/uniform_direction.hpp>
 #include <rt/wide_builder.hpp>
 
 #include "torture.hpp"

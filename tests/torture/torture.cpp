@@ -100,7 +100,7 @@ struct Trees {
     explicit Trees(const SceneDescription& scene)
         : list{prepare_shapes(scene).still},
           halved{make_tree(list.spheres, split_in_half)},
-          by_area{make_tree(list.spheres, split_by_area)},
+          by_area{make_tree(list.spheres, AreaSplit{})},
           flat{make_flat(by_area)} {}
 };
 

@@ -4,10 +4,6 @@
 
 namespace answer EXPORTED {
 
-rt::Vec3 uniform_direction(rt::Vec2 place) {
-    return rt::uniform_direction(place);
-}
-
 rt::Vec3 cosine_direction(rt::Vec3 normal, rt::Vec2 place) {
     return rt::cosine_direction(normal, place);
 }

@@ -1,7 +1,7 @@
 // The structures that the chapter gives: each returns the hits of the linear list, bit for bit.
 
+#include <rt/area_split.hpp>
 #include <rt/flat_tree.hpp>
-#include <rt/split_by_area.hpp>
 #include <rt/wide_builder.hpp>
 #include <study/timing.hpp>
 
@@ -20,7 +20,7 @@ struct All {
 
     explicit All(const Spheres& spheres)
         : sorted{rt::make_tree(spheres, rt::split_in_half)},
-          by_area{rt::make_tree(spheres, rt::split_by_area)},
+          by_area{rt::make_tree(spheres, rt::AreaSplit{})},
           flat{rt::make_flat(by_area)},
           wide_float{rt::make_wide_tree<float>(spheres)},
           wide{rt::make_wide_tree<Real>(spheres)} {}
@@ -209,7 +209,7 @@ TEST_CASE("a wide tree is searched as fast as if all its nodes were split exactl
         for (SceneSphere& s : on_ground) s.shape.center.y = s.shape.radius /= 3;
         add(on_ground, {0, -1000, 0}, 1000);
         for (const Spheres& spheres : {random_spheres(count, 2), on_ground}) {
-            const auto exact = rt::make_wide_tree<float>(spheres, rt::split_by_area);
+            const auto exact = rt::make_wide_tree<float>(spheres, rt::AreaSplit{1});
             const auto tree = rt::make_wide_tree<float>(spheres);
             rt::Rng rng{78, 1};
             long exact_tests = 0, tests = 0;

@@ -3,6 +3,7 @@
 #include <app/errors.hpp>
 #include <cstdint>
 #include <rt/image_file.hpp>
+#include <rt/light_file.hpp>
 #include <rt/renderer.hpp>
 #include <scene_file.hpp>
 
@@ -25,6 +26,20 @@ void check(const rt::SceneDescription& scene) {
     must(scene.settings.width >= 1 && scene.settings.height >= 1);
 }
 
+// Image files and scene files begin so differently that one target will do.
+bool is_png(const std::string& bytes) {
+    return bytes.rfind('\x89', 0) == 0;
+}
+bool is_light(const std::string& bytes) {
+    return bytes.rfind("#?", 0) == 0 || bytes.rfind('P', 0) == 0;
+}
+
+void check_light(const rt::Image& image) {
+    for (const rt::Color& color : image.pixels())
+        for (const rt::Real channel : {color.r, color.g, color.b})
+            must(0 <= channel && channel <= static_cast<rt::Real>(rt::brightest));
+}
+
 // A few samples by the renderer that has everything. Many spheres would take long.
 void draw(const rt::SceneDescription& scene) {
     constexpr int side = 8;
@@ -40,9 +55,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     // Small limits: the faults to be found are in the rules, not in large numbers.
     const effects::Limits limits{.spheres = 500, .image_pixels = 1 << 14};
     try {
-        // An image file and a scene file begin so differently that one target will do.
-        if (!bytes.empty() && bytes[0] == '\x89') {
+        if (is_png(bytes)) {
             rt::decode_image(bytes, limits.image_pixels);
+        } else if (is_light(bytes)) {
+            check_light(rt::decode_light(bytes, limits.image_pixels));
         } else {
             const auto scene = effects::parse_scene(bytes, "scene.json", FUZZ_FOLDER, limits);
             check(scene);
@@ -52,7 +68,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         must(std::string{error.what()}.size() < 1000);
     } catch (const std::length_error&) {
     } catch (const std::runtime_error&) {
-        must(bytes[0] == '\x89');
+        must(is_png(bytes) || is_light(bytes));
     }
     return 0;
 }

@@ -1,11 +1,11 @@
 // Motion blur, lens, textures and mirrors: what chapter 08 gives beside its exercises.
 
 #include <rt/aggregate.hpp>
+#include <rt/area_split.hpp>
 #include <rt/cameras.hpp>
 #include <rt/make_camera.hpp>
 #include <rt/metal.hpp>
 #include <rt/mirror_and_motion.hpp>
-#include <rt/split_by_area.hpp>
 #include <rt/textures.hpp>
 #include <rt/wide_builder.hpp>
 #include <statistics.hpp>
@@ -17,7 +17,7 @@ using rt::Color;
 
 using MovingTree = rt::TreeOf<rt::MovingSphere>;
 static MovingTree tree_of(std::vector<rt::MovingSphere> spheres) {
-    return rt::make_tree(std::move(spheres), rt::split_by_area);
+    return rt::make_tree(std::move(spheres), rt::AreaSplit{});
 }
 
 TEST_CASE("a moving sphere covers what geometry says") {

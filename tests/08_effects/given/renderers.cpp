@@ -25,7 +25,8 @@ struct Drawn {
 };
 
 Drawn draw(const rt::SceneDescription& scene, std::size_t renderer) {
-    const rt::DrawTile draw_tile = rt::renderer_makers[renderer](scene, width, height, quality);
+    const rt::DrawTile draw_tile =
+        pixel_by_pixel(rt::renderer_makers[renderer](scene, width, height, quality));
     rt::Image image = rt::Canvas<rt::Color>{width, height};
     Drawn drawn;
     draw_tile({0, 0, width, height}, image, drawn.rays);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <placing.hpp>
 #include <rt/image_file.hpp>
+#include <rt/prepare.hpp>
 #include <rt/sky.hpp>
 #include <rt/transform.hpp>
 
@@ -633,4 +634,36 @@ TEST_CASE("spheres of your own material get a range of colors too", "[scene_file
     const auto& second = std::get<rt::OwnMaterial>(scene.materials[1]);
     CHECK(first.color != second.color);
     CHECK((first.amount == 1 && second.amount == 1));
+}
+
+TEST_CASE("an image moves with a sphere that is turned, stretched or mirrored", "[scene_file]") {
+    const TemporaryFolder folder;
+    rt::Image map{8, 4};
+    for (int i = 0; i < 32; ++i)
+        map.at(i % 8, i / 8) = Color{1, 1, 1} * (static_cast<Real>(i) / 32);
+    write_file(folder / "planet.png", rt::encode_png(map));
+    const std::string from = R"(, "textures": {"map": {"type": "image", "file": "planet.png"}},
+        "materials": {"m": {"type": "matte", "texture": "map"}}, "spheres": [)";
+    const auto scene = effects::parse_scene(
+        "{" + camera + from + R"({"center": [0, 0, 0], "radius": 1, "material": "m"},
+            {"center": [5, 0, 0], "radius": 2, "rotate_deg": [0, 90, 0], "material": "m"},
+            {"center": [5, 0, 0], "radius": 2, "scale": [1, 0.25, 1], "material": "m"},
+            {"matrix": [[-1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0]], "material": "m"}]})",
+        "s.json", folder.path());
+    const auto materials =
+        rt::prepare_materials<rt::MaterialSet<rt::Lambertian, rt::ImageMatte>>(scene).materials;
+    // The image at the place of sphere i whose normal in the world is this one.
+    const auto color = [&](std::size_t i, Vec3 normal) {
+        rt::Hit hit;
+        hit.normal = normalize(normal);
+        const auto material = static_cast<std::size_t>(scene.spheres[i].material);
+        return albedo_at(std::get<rt::ImageMatte>(materials[material]), hit);
+    };
+    for (const Vec3 n : {Vec3{1, 2, 10}, {10, 3, 1}, {3, -7, 5}}) {
+        // At 90 degrees about y, z goes to x, and x to -z.
+        CHECK(color(1, {n.z, n.y, -n.x}) == color(0, n));
+        CHECK(color(2, {n.x, 4 * n.y, n.z}) == color(0, n));
+        CHECK(color(3, {-n.x, n.y, n.z}) == color(0, n));
+    }
+    CHECK(color(1, {1, 2, 10}) != color(0, {1, 2, 10}));
 }

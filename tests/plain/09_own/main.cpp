@@ -1,4 +1,4 @@
-// The core of chapter 09: rungs 1 to 6, plainly. own SCENE PICTURE.ppm [--threads N] [--seed N]
+// The core of chapter 09: steps 1 to 6, plainly. own SCENE PICTURE.ppm [--threads N] [--seed N]
 // [--list]
 
 #include <algorithm>

@@ -5,7 +5,6 @@
 
 namespace answer {
 
-rt::Vec3 uniform_direction(rt::Vec2 place);
 rt::Vec3 cosine_direction(rt::Vec3 normal, rt::Vec2 place);
 rt::Vec2 random_place(rt::Rng& random);
 
@@ -15,6 +14,5 @@ namespace rt {
 
 using answer::cosine_direction;
 using answer::random_place;
-using answer::uniform_direction;
 
 }  // namespace rt

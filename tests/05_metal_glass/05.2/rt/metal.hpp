@@ -7,6 +7,7 @@
 #include <rt/reflect.hpp>
 #include <rt/rng.hpp>
 #include <rt/scatter.hpp>
+#include <rt/uniform_direction.hpp>
 
 namespace answer {
 

@@ -7,12 +7,6 @@
 
 namespace rt {
 
-inline Vec3 uniform_direction(Vec2 place) {
-    const Real z = 1 - 2 * place.x;
-    const Real radius = std::sqrt(1 - z * z), turn = 2 * pi * place.y;
-    return {radius * std::cos(turn), radius * std::sin(turn), z};
-}
-
 inline Vec3 cosine_direction(Vec3 normal, Vec2 place) {
     const Real radius = std::sqrt(place.x), turn = 2 * pi * place.y;
     return normalize(orthonormal_basis(normal).to_world(

@@ -1,13 +1,13 @@
 #pragma once
 #include <cmath>
 #include <optional>
-#include <rt/directions.hpp>
 #include <rt/dot.hpp>
 #include <rt/length.hpp>
 #include <rt/light_sample.hpp>
 #include <rt/orthonormal_basis.hpp>
 #include <rt/sine_cosine.hpp>
 #include <rt/sphere.hpp>
+#include <rt/uniform_direction.hpp>
 #include <rt/vec2.hpp>
 
 namespace rt {

@@ -124,6 +124,21 @@ double area_error(const Direction& direction, const Expected& expected, const Sp
     return least;
 }
 
+// Requires that a small rectangle of sample points becomes a patch of the area that is expected.
+template <class Direction, class Expected>
+void check_area_ratio(const Direction& direction, const Expected& expected, const Spot& spot,
+                      const char* hint) {
+    const double error_over_allowed = area_error(direction, expected, spot) / spot.allowed;
+    if (!(error_over_allowed <= 1))
+        UNSCOPED_INFO("a small square of sample points around ("
+                      << text(spot.place.x) << ", " << text(spot.place.y)
+                      << ") becomes a patch of the sphere: " EXPECTED
+                      << text(static_cast<Real>(expected(spot.place))) << " times as large, " ACTUAL
+                      << text(static_cast<Real>(area_ratio(direction, spot.place, spot.reach)))
+                      << " times as large.\nHint: " << hint);
+    REQUIRE(error_over_allowed <= 1);
+}
+
 inline Spot any_spot(rt::Rng& rng, int i) {
     const auto inner = [&] { return rng.uniform(real(0.1), real(0.9)); };
     const auto outer = [&] {
