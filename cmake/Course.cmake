@@ -4,7 +4,8 @@
 # is given: the chapter's own and, where there are several kinds of headers, those in it that have an rt/; and
 # course_folders_NN_topic, the include folders of its solution: what is given and the answers, of all chapters up to
 # this one, so that no chapter can use what comes after it.
-# Chapters that need what is missing here are left out; course_missing names what they need.
+# course_needs_NN_topic names what else a chapter needs. If that is missing here, the chapter is left out, and
+# course_missing names it.
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/course.json)
 file(READ ${CMAKE_SOURCE_DIR}/course.json course_json)
 
@@ -30,10 +31,13 @@ foreach(chapter RANGE ${last_chapter})
     continue()
   endif()
   string(JSON needs ERROR_VARIABLE needs_nothing GET "${course_json}" chapters ${chapter} needs)
-  if(NOT needs_nothing AND NOT COURSE_HAS_${needs})
+  if(needs_nothing)
+    set(needs "")
+  elseif(NOT COURSE_HAS_${needs})
     list(APPEND course_missing ${needs})
     continue()
   endif()
+  set(course_needs_${name} ${needs})
   course_fact(course_text_${name} GET chapters ${chapter} text)
   file(GLOB kinds CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/chapters/${name}/*/rt)
   list(TRANSFORM kinds REPLACE "/rt$" "")

@@ -31,6 +31,11 @@ endif()
 set(course_system posix)
 if(WIN32)
   set(course_system windows)
+  # GNU's linker takes many seconds for a program there. Some compilers take this option and ignore it.
+  execute_process(COMMAND ${CMAKE_CXX_COMPILER} -fuse-ld=lld -Wl,--version OUTPUT_VARIABLE linker ERROR_QUIET)
+  if(linker MATCHES "LLD")
+    target_link_options(course_flags INTERFACE -fuse-ld=lld)
+  endif()
   # As much stack as programs have elsewhere.
   target_link_options(course_flags INTERFACE -Wl,--stack,8388608)
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -2,6 +2,7 @@
 #
 #   solution of chapter N    what is given and the answers of chapters up to N, common
 #   mine                     COURSE_YOURS, then the same
+#   follow                   headers that record what they are given, then the same as mine
 #
 # Nearly everything is in headers. Where an answer is an rt/NAME.cpp, the first of the folders that has it
 # provides it.
@@ -87,20 +88,23 @@ function(course_sources out chapter)
   set(${out} ${sources} PARENT_SCOPE)
 endfunction()
 
-# course_chapter_program(target real chapter folders...): the chapter's program, with the code of these folders.
-# What course_libraries_NN_topic names is linked, too. TARGET_study is the same with --study, which is in the sources
-# named study*.cpp: they would take a third of the time that passes until a learner sees a picture.
-function(course_chapter_program target real chapter)
+# course_drawing_program(target real chapter folders...): the chapter's program without --study, with the code of these
+# folders. What course_libraries_NN_topic names is linked, too.
+function(course_drawing_program target real chapter)
   course_given_sources(program ${chapter} *.cpp)
-  set(study ${program})
   list(FILTER program EXCLUDE REGEX "/study[^/]*$")
-  list(FILTER study INCLUDE REGEX "/study[^/]*$")
   course_sources(sources ${chapter} ${ARGN})
   course_program(${target} ${real} ${program} ${sources} INCLUDE ${ARGN})
+  target_link_libraries(${target} PRIVATE ${course_libraries_${chapter}})
+endfunction()
+
+# course_chapter_program(target real chapter folders...): that, and TARGET_study, the same with --study, which is in the
+# sources named study*.cpp: they would take a third of the time that passes until a learner sees a picture.
+function(course_chapter_program target real chapter)
+  course_drawing_program(${target} ${real} ${chapter} ${ARGN})
+  course_given_sources(study ${chapter} study*.cpp)
   course_program(${target}_study ${real} $<TARGET_OBJECTS:${target}> ${study} INCLUDE ${ARGN})
-  foreach(program ${target} ${target}_study)
-    target_link_libraries(${program} PRIVATE ${course_libraries_${chapter}})
-  endforeach()
+  target_link_libraries(${target}_study PRIVATE ${course_libraries_${chapter}})
 endfunction()
 
 # course_small_picture_test(name chapter real program): the solution still draws the same bytes. An emulator
@@ -130,15 +134,18 @@ function(course_program_tests chapter)
     course_nightly(${chapter}.float_program)
   endif()
   # It is the picture that the text shows.
-  add_test(NAME ${chapter}.image
-    COMMAND sh ${tests}/app/same_image.sh $<TARGET_FILE:${chapter}_solution>
-            $<TARGET_FILE:image_compare> ${CMAKE_SOURCE_DIR}/docs/images/${chapter}.png)
+  if(Python3_Interpreter_FOUND)
+    add_test(NAME ${chapter}.image
+      COMMAND Python3::Interpreter ${tests}/pictures.py --compare --exactly ${CMAKE_BINARY_DIR} ${chapter})
+    set_tests_properties(${chapter}.image PROPERTIES LABELS solution TIMEOUT 1800)
+    course_nightly(${chapter}.image)
+  endif()
   # `course compare` does not call right code wrong; see tests/support/compare_programs.cpp for
   # more runs. A still picture takes one.
   add_test(NAME ${chapter}.compare
     COMMAND compare_programs alarms 1 $<TARGET_FILE:${chapter}_solution>)
-  set_tests_properties(${chapter}.image ${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
-  course_nightly(${chapter}.image ${chapter}.compare)
+  set_tests_properties(${chapter}.compare PROPERTIES LABELS solution TIMEOUT 600)
+  course_nightly(${chapter}.compare)
 endfunction()
 
 # course_certificate(chapter): what `course certify` measures of a chapter, on the solution, and on the learner's
@@ -252,6 +259,11 @@ function(course_chapter chapter)
   course_chapter_program(${chapter}_mine double ${chapter} ${COURSE_YOURS} ${folders})
   course_chapter_program(${chapter}_mine_float float ${chapter} ${COURSE_YOURS} ${folders})
   set(mine ${chapter}_mine ${chapter}_mine_float ${chapter}_mine_study ${chapter}_mine_float_study)
+  if(NOT course_needs_${chapter})  # what it records would be lost between processes
+    course_drawing_program(${chapter}_follow double ${chapter} ${CMAKE_SOURCE_DIR}/companion/follow/recorder
+                           ${COURSE_YOURS} ${folders})
+    list(APPEND mine ${chapter}_follow)
+  endif()
   course_of_learner(${mine})
   set_target_properties(${mine} ${chapter}_solution_study ${chapter}_solution_float_study
                         PROPERTIES EXCLUDE_FROM_ALL ON)
