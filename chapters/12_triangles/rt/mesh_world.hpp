@@ -2,6 +2,7 @@
 #include <map>
 #include <memory>
 #include <rt/aggregate.hpp>
+#include <rt/compiler.hpp>
 #include <rt/mesh_instances.hpp>
 #include <rt/placed_mesh.hpp>
 #include <rt/triangle_leaf.hpp>
@@ -33,8 +34,10 @@ class MeshWorld {
         instances_ = InstanceTree{std::move(instances)};
     }
 
+    // Not inlined, since a renderer would then take four times as long to compile and be no faster.
     template <class AnyRay>
-    std::optional<Hit> hit(const AnyRay& any_ray, Interval within) const {
+    RT_NOT_INLINED RT_INLINES_ALL std::optional<Hit> hit(const AnyRay& any_ray,
+                                                         Interval within) const {
         const Ray& ray = any_ray;  // no copy if any_ray is a plain Ray
         const auto in_copies = copies_.search(ray, within);
         const bool is_copy = in_copies.nearest >= 0;
@@ -53,7 +56,7 @@ class MeshWorld {
 
     // True if anything is hit within the interval.
     template <class AnyRay>
-    bool occluded(const AnyRay& ray, Interval within) const {
+    RT_NOT_INLINED RT_INLINES_ALL bool occluded(const AnyRay& ray, Interval within) const {
         return copies_.occluded(ray, within) || instances_.occluded(ray, within);
     }
 
