@@ -9,13 +9,14 @@
 #
 #   --pictures PATTERN              of the chapters that match (grep -E), such as '0[38]'; default: all
 #   --checkpoints PATTERN           likewise; '-' for none
+#   --learner                       on Windows, leaves out the tests of common/ and the companion, but not a learner there
 #   --jobs N                        default: the number of cores
 #   --folder FOLDER                 to build in; default: build-platforms
 #
 # Each configuration has one line of output. Exit code 1 when one failed.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.." || exit
-pictures=. checkpoints=. folder=build-platforms
+pictures=. checkpoints=. learner='' folder=build-platforms
 jobs=$(nproc 2>/dev/null || getconf _NPROCESSORS_ONLN)
 
 each_name() {
@@ -133,8 +134,11 @@ check() {
     done
     case $1 in
     *-windows)
-        targets+=(common_test_double common_test_float companion_test course linux_program own_start)
-        more='|^common_|^companion[.]' ;;
+        targets+=(course linux_program own_start)
+        if [ -z "$learner" ]; then
+            targets+=(common_test_double common_test_float companion_test)
+            more='|^common_|^companion[.]'
+        fi ;;
     esac
     configure "$1" "$2" && cmake --build "$2" -j "$jobs" --target "${targets[@]}" || return
     if [ -f "$2/bin/linux_program.exe" ]; then
@@ -178,6 +182,7 @@ while [ $# -gt 0 ]; do
         exit ;;
     --pictures) pictures=$2 && shift ;;
     --checkpoints) checkpoints=$2 && shift ;;
+    --learner) learner=only ;;
     --jobs) jobs=$2 && shift ;;
     --folder) folder=$2 && shift ;;
     all) for name in $(each_name); do [ -n "$(left_out "$name")" ] || names+=("$name"); done ;;
