@@ -97,7 +97,8 @@ float lot(int i, int j) {
 }
 
 Mesh sea_of(int count) {
-    const auto sea = triangles::make_sea(count);
+    const triangles::Cut nothing_cut{{}, {}, {}};
+    const auto sea = triangles::make_sea(count, nothing_cut);
     Mesh mesh = sea.water;
     mesh.triangles.insert(mesh.triangles.end(), sea.foam.triangles.begin(),
                           sea.foam.triangles.end());
