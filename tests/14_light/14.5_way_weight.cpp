@@ -263,8 +263,12 @@ TEST_CASE("14.5 the probabilities of all lamps add up to 1", "[14.5]") {
         const Town town = random_town(rng, 1 + rng() % 60);
         const Vec3 from = any_point(rng);
         Real sum = 0;
-        for (std::size_t lamp = 0; lamp < town.size(); ++lamp)
-            sum += rt::lamp_probability(town.tree, from, lamp);
+        for (std::size_t lamp = 0; lamp < town.size(); ++lamp) {
+            const Real probability = rt::lamp_probability(town.tree, from, lamp);
+            INFO("lamp " << lamp << " has the probability " << text(probability));
+            REQUIRE(probability >= 0);
+            sum += probability;
+        }
         INFO(town.size() << " lamps, from the point " << text(from));
         HINT(Real(1), sum, "one of the lamps is always chosen, so their probabilities add up to 1");
         const bool is_near = std::abs(sum - 1) <= 100 * rt::epsilon;

@@ -51,9 +51,13 @@ LampPart walk_to_lamp(const LampTree& tree, Vec3 from, const GoesLeft& goes_left
     std::size_t index = 0;
     while (!tree.nodes[index].is_leaf()) {
         const Real middle = end_of_left(tree, index, from, part);
-        const bool left = goes_left(tree.nodes[index + 1], middle);
-        (left ? part.high : part.low) = middle;
-        index = left ? index + 1 : static_cast<std::size_t>(tree.nodes[index].right);
+        if (goes_left(tree.nodes[index + 1], middle)) {
+            part.high = middle;
+            index += 1;
+        } else {
+            part.low = middle;
+            index = static_cast<std::size_t>(tree.nodes[index].right);
+        }
     }
     part.lamp = tree.order[static_cast<std::size_t>(tree.nodes[index].begin)];
     return part;
