@@ -125,13 +125,18 @@ void study_plates(study::Report& report) {
                                                      found[3].mean());
                 char name[40];
                 std::snprintf(name, sizeof name, "plate %g", static_cast<double>(spread));
-                report.add({name, names[k], static_cast<double>(radius), "radius of the lamp",
-                            static_cast<double>(error), "relative error of one sample"});
-                // Independent samples: the squared error falls as the time grows.
-                std::snprintf(name, sizeof name, "map %g", static_cast<double>(spread));
-                const double one_percent = static_cast<double>(error * error) / 1e-4;
-                report.add({name, names[k], static_cast<double>(radius), "radius of the lamp", 0,
-                            "", one_percent * times[k] / 1000, "time for an error of 1 % / us"});
+                study::Row row{name,
+                               names[k],
+                               static_cast<double>(radius),
+                               "radius of the lamp",
+                               static_cast<double>(error),
+                               "relative error of one sample"};
+                // Of independent samples, the squared error falls as the time grows.
+                if (error > 0) {
+                    row.cost = row.error * row.error / 1e-4 * times[k] / 1000;
+                    row.cost_name = "time for an error of 1 % / us";
+                }
+                report.add(row);
             }
         }
 }
@@ -294,8 +299,7 @@ void study_sky(study::Report& report) {
         report.add(
             {"sky", "by its picture", x, "brightness of the sun", by_picture.relative(),
              "relative error of one sample", 0, "time per sample / ns"},
-            [picture, table, places]() mutable {
-                table.picture = &picture;
+            [&table, places] {
                 for (const Vec2 place : places) study::keep(sample_sky(table, place));
             },
             static_cast<double>(places.size()));
