@@ -430,7 +430,7 @@ TEST_CASE("14.5 no distance is less than an eighth of the diagonal", "[14.5][har
     check_two(8, 1, {8, 0, 0}, Real(1) / 65, hint);
 }
 
-TEST_CASE("14.5 at each node, power and distance decide", "[14.5][hard]") {
+TEST_CASE("14.5 power and distance decide at each node", "[14.5][hard]") {
     rt::Rng rng{145, 13};
     for (const Real size : {Real(1), real(1e-9), real(1e9)})
         for (int i = 0; i < 200; ++i) {
