@@ -566,6 +566,8 @@ RECIPES = {
     "14-rough": lambda: draw("renderer_solution", 640, 240, "chapters/14_light/scenes/rough.json", "--spp", "144"),
     **{f"14-plates-{ways}": lambda ways=ways: draw("14_light_solution", 400, 267, "--scene", "plates", "--spp", "16",
                                                    "--ways", ways) for ways in ("samples", "bounces", "balance", "power")},
+    **{f"14-streets-{lamps}": lambda lamps=lamps: draw("14_light_solution", 400, 225, "--scene", "streets", "--spp", "16",
+                                                       "--depth", "8", "--lamps", lamps) for lamps in ("list", "tree")},
     "14-party": lambda: draw("14_light_solution", 480, 480, "--scene", "party", "--spp", "81"),
     "14-party-evenly": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4",
                                     mistake="14.2_mean"),

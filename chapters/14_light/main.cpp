@@ -17,6 +17,7 @@
 
 #include "plates.hpp"
 #include "scene.hpp"
+#include "streets.hpp"
 #include "sun.hpp"
 
 namespace {
@@ -34,6 +35,22 @@ Ways ways_of(const std::string& word) {
     if (word == "samples") return Ways::samples;
     if (word == "bounces") return Ways::bounces;
     return word == "balance" ? Ways::balance : Ways::power;
+}
+
+// A scene with lamps of this type.
+template <class Lamps>
+app::Picture draw_lit(Scene scene, Ways ways, const app::Settings& settings,
+                      app::Progress& progress) {
+    using Ready = LitMeshScene<scene_effects, Lamps>;
+    const int width = settings.width, height = settings.height;
+    if (!settings.show.empty())
+        return show_ready(Ready{scene.description, width, height, std::move(scene.meshes), ways},
+                          settings, progress);
+    return draw_with(
+        Renderer<scene_effects, Ready>{scene.description, width, height,
+                                       Quality{settings.spp, settings.depth, *settings.seed},
+                                       std::move(scene.meshes), ways},
+        settings, progress);
 }
 
 app::Picture render(const app::Settings& settings, app::Progress& progress) {
@@ -64,14 +81,16 @@ app::Picture render(const app::Settings& settings, app::Progress& progress) {
                                                         SceneMeshes{}, ways},
                          settings, progress);
     }
-    Scene made = scene == "party" ? make_party(*settings.view) : make_cornell(*settings.view);
-    using Ready = LitMeshScene<scene_effects>;
-    if (!settings.show.empty())
-        return show_ready(Ready{made.description, width, height, std::move(made.meshes), ways},
-                          settings, progress);
-    return draw_with(Renderer<scene_effects, Ready>{made.description, width, height, quality,
-                                                    std::move(made.meshes), ways},
-                     settings, progress);
+    if (scene == "streets") {
+        if (settings.choice("lamps") == "list")
+            return draw_lit<MeshLights>(make_streets(view_of(settings, streets_view())), ways,
+                                        settings, progress);
+        return draw_lit<TreeLights>(make_streets(view_of(settings, streets_view())), ways, settings,
+                                    progress);
+    }
+    return draw_lit<MeshLights>(
+        scene == "party" ? make_party(*settings.view) : make_cornell(*settings.view), ways,
+        settings, progress);
 }
 
 }  // namespace
@@ -96,9 +115,13 @@ int main(int argc, char** argv) {
          .choices =
              {{"scene",
                "What to draw: the Cornell box, the same box with 90 small lamps (party), "
-               "plates that mirror lamps, balls under a sky with a small sun, or points spread "
-               "over a triangle",
-               {"cornell", "party", "plates", "sun", "points"}},
+               "plates that mirror lamps, balls under a sky with a small sun, a town with 10,000 "
+               "lamps (streets), or points spread over a triangle",
+               {"cornell", "party", "plates", "sun", "streets", "points"}},
+              {"lamps",
+               "How --scene streets chooses among its lamps: by a tree, near ones more often, or "
+               "by their power alone (list)",
+               {"tree", "list"}},
               {"ways",
                "How lamps are found: by samples of them, by bounces that meet them, or by "
                "both, weighted by the balance heuristic or the power heuristic",

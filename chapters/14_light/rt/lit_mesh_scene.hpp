@@ -25,18 +25,20 @@ inline std::vector<LampTriangle> lamp_triangles(const SceneDescription& scene,
 }
 
 // A scene with meshes that shine, made ready for a renderer with these effects (given).
-template <Effects effects>
+template <Effects effects, class Lamps = MeshLights>
 struct LitMeshScene : MeshScene<effects> {
-    WayLights lights;
+    LightsByWays<Lamps> lights;
 
     LitMeshScene(const SceneDescription& scene, int width, int height, SceneMeshes placed,
                  Ways ways = Ways::power)
-        : LitMeshScene{
-              WayLights{{prepare_shapes(scene).lights, lamp_triangles(scene, placed)}, ways}, scene,
-              width, height, std::move(placed)} {}
+        : LitMeshScene{{{prepare_shapes(scene).lights, lamp_triangles(scene, placed)}, ways},
+                       scene,
+                       width,
+                       height,
+                       std::move(placed)} {}
 
   private:
-    LitMeshScene(WayLights lamps, const SceneDescription& scene, int width, int height,
+    LitMeshScene(LightsByWays<Lamps> lamps, const SceneDescription& scene, int width, int height,
                  SceneMeshes placed)
         : MeshScene<effects>{scene, width, height, std::move(placed)}, lights{std::move(lamps)} {}
 };

@@ -34,24 +34,46 @@ inline Real power_of(const LampTriangle& triangle) {
     return lamp_power(length(cross(b - a, c - a)), triangle.radiance);  // twice the area: two sides
 }
 
-// The lamps of a scene that has meshes that shine (given): spheres and triangles. It has the
-// functions of SceneLights, but the more light a lamp sends out, the more often it is chosen.
-class MeshLights {
+// The powers of these spheres and triangles (given), in this order.
+inline std::vector<Real> powers_of(const std::vector<Light>& spheres,
+                                   const std::vector<LampTriangle>& triangles) {
+    std::vector<Real> powers;
+    for (const Light& sphere : spheres) powers.push_back(power_of(sphere));
+    for (const LampTriangle& triangle : triangles) powers.push_back(power_of(triangle));
+    return powers;
+}
+
+// Chooses among lamps by their power alone (given), wherever the light is wanted.
+class ByPower {
   public:
-    MeshLights() = default;
+    ByPower() = default;
+    ByPower(const std::vector<Light>& spheres, const std::vector<LampTriangle>& triangles)
+        : shares_{running_shares(powers_of(spheres, triangles))} {}
+
+    Pick choose(Vec3 /*from*/, Real number) const { return pick(shares_, number); }
+    Real probability(Vec3 /*from*/, std::size_t lamp) const {
+        return probability_of(shares_, lamp);
+    }
+
+  private:
+    std::vector<Real> shares_;
+};
+
+// The lamps of a scene that has meshes that shine (given): spheres and triangles. It has the
+// functions of SceneLights, but the Chooser says how often a lamp is chosen.
+template <class Chooser>
+class LampsBy {
+  public:
+    LampsBy() = default;
     // The spheres come in the order of their numbers, from 0 on, and so do the triangles.
-    MeshLights(std::vector<Light> spheres, const std::vector<LampTriangle>& triangles)
-        : lights_{std::move(spheres)}, spheres_{lights_.size()} {
-        std::vector<Real> powers;
-        for (const Light& sphere : lights_) powers.push_back(power_of(sphere));
+    LampsBy(std::vector<Light> spheres, const std::vector<LampTriangle>& triangles)
+        : chooser_{spheres, triangles}, lights_{std::move(spheres)}, spheres_{lights_.size()} {
         for (const LampTriangle& triangle : triangles) {
             numbers_.push_back(triangle.number);
             // A triangle is found by its number alone, so its Light needs no shape.
             lights_.push_back({Sphere{}, triangle.radiance, kept_as_light(triangle.number)});
             triangles_.push_back(triangle.shape);
-            powers.push_back(power_of(triangle));
         }
-        shares_ = running_shares(powers);
     }
 
     bool empty() const { return lights_.empty(); }
@@ -71,13 +93,13 @@ class MeshLights {
         const Real of_direction = lamp < spheres_
                                       ? light_density(std::get<Sphere>(light.shape), from)
                                       : light_density(triangles_[lamp - spheres_], from, point);
-        return probability_of(shares_, lamp) * of_direction;
+        return chooser_.probability(from, lamp) * of_direction;
     }
 
     // One of the lights, and a direction to it.
     template <class Random>
     std::optional<ChosenLight> choose(Vec3 from, Random& random) const {
-        const Pick picked = pick(shares_, random.uniform());
+        const Pick picked = chooser_.choose(from, random.uniform());
         const Vec2 place = random_place(random);
         if (!(picked.probability > 0)) return {};
         const Light& light = lights_[picked.index];
@@ -91,11 +113,14 @@ class MeshLights {
     }
 
   private:
+    Chooser chooser_;
     std::vector<Light> lights_;  // the spheres, then the triangles
     std::size_t spheres_ = 0;
     std::vector<Triangle> triangles_;
     std::vector<int> numbers_;  // of these triangles, among those of the scene
-    std::vector<Real> shares_;
 };
+
+// The more light a lamp sends out, the more often it is chosen (given).
+using MeshLights = LampsBy<ByPower>;
 
 }  // namespace rt

@@ -4,6 +4,7 @@
 #include <rt/lobe.hpp>
 #include <rt/mesh_world.hpp>
 #include <rt/rng.hpp>
+#include <rt/tree_lights.hpp>
 #include <rt/two_way_path.hpp>
 
 #include "checkpoint.hpp"
@@ -143,4 +144,43 @@ TEST_CASE("the density of a lobe is that of its directions") {
         INFO("concentration " << concentration << ": the density adds up to " << whole.mean());
         CHECK(std::abs(whole.mean() - 1) < 4.3 * whole.standard_error());
     }
+}
+
+TEST_CASE("a tree of lamps brings the same light as their list, with the density that it says") {
+    // Of 5,000 such tests with other seeds, one would fail.
+    std::vector<Light> spheres;
+    std::vector<LampTriangle> triangles;
+    Rng random{14, 10};
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 at{random.uniform(-4, 4), random.uniform(1, 2), random.uniform(-4, 4)};
+        const Real bright = random.uniform(1, 3);
+        spheres.push_back({Sphere{at, real(0.1)}, {bright, bright, bright}, i, i});
+        const Vec3 corner{-at.x, at.y, at.z};
+        triangles.push_back({{corner, corner + Vec3{real(0.3), 0, 0}, corner + Vec3{0, 0, 1}},
+                             {bright, bright, bright},
+                             i});
+    }
+    const MeshLights list{spheres, triangles};
+    const TreeLights tree{spheres, triangles};
+    const Vec3 from{real(0.3), 0, real(0.2)};
+    const auto light_of = [&](const auto& lights) {
+        Mean mean;
+        for (int i = 0; i < 40'000; ++i) {
+            const auto chosen = lights.choose(from, random);
+            REQUIRE(chosen);
+            const LightSample& sample = chosen->sample;
+            const Real density =
+                lights.density(*chosen->light, from, from + sample.distance * sample.direction);
+            const bool is_near =
+                std::abs(sample.density - density) <= 2000 * epsilon * sample.density;
+            REQUIRE(is_near);
+            mean.add(static_cast<double>(sample.direction.y * chosen->radiance.r / sample.density));
+        }
+        return mean;
+    };
+    const Mean by_list = light_of(list), by_tree = light_of(tree);
+    INFO(by_list.mean() << " and " << by_tree.mean());
+    CHECK(std::abs(by_list.mean() - by_tree.mean()) <
+          4 * std::hypot(by_list.standard_error(), by_tree.standard_error()));
+    CHECK(by_tree.variance() < by_list.variance() / 2);
 }
