@@ -133,8 +133,9 @@ TEST_CASE("14.1 the points are spread evenly over the triangle", "[14.1]") {
         }
         ++cells[cell_of(weights)];
     }
-    const double statistic =
-        chi_square(cells, std::vector<double>(64, static_cast<double>(count) / 64));
+    const std::vector<double> expected(64, static_cast<double>(count) / 64);
+    const double statistic = chi_square(cells, expected);
+    INFO(pictured(cells, expected, 64));
     INFO(
         "64,000 points in 64 equal triangles, a thousand expected in each: the one at corner a "
         "has "
