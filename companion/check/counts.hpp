@@ -1,7 +1,7 @@
 #pragma once
 // How often an answer chose each cell of a table, beside how often that was expected: two small
 // pictures. A checkpoint writes both numbers for each cell: see pictured() in
-// tests/support/statistics.hpp.
+// tests/support/pictured.hpp.
 
 #include <companion/check/test_results.hpp>
 #include <companion/model/exercise.hpp>

@@ -15,8 +15,8 @@
 #include <thread>
 
 #include "catch.hpp"
+#include "pictured.hpp"
 #include "processor_time.hpp"
-#include "statistics.hpp"
 #if __has_include(<catch2/internal/catch_test_failure_exception.hpp>)
 #include <catch2/internal/catch_test_failure_exception.hpp>
 #endif
