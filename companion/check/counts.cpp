@@ -23,13 +23,8 @@ std::vector<double> numbers_in(const std::string& text) {
     return numbers;
 }
 
-// The counts of the test case that is told of an answer.
-std::optional<Counts> counts_told(const std::vector<TestCase>& tests, const std::string& telling) {
-    const TestCase* told = nullptr;
-    for (const TestCase& test : tests)
-        if (!test.hard && !test.passed && (!told || test.name == telling)) told = &test;
-    if (!told) return {};
-    for (const FailedAssertion& failure : told->failures)
+std::optional<Counts> counts_in(const TestCase& test) {
+    for (const FailedAssertion& failure : test.failures)
         for (const Message& message : failure.messages)
             if (auto counts = read_counts(message.counts)) return counts;
     return {};
@@ -77,24 +72,29 @@ rt::Image picture_of(const Counts& counts, const std::vector<double>& numbers) {
     return picture;
 }
 
-std::string keep_counts(const Course& course, const std::vector<TestCase>& tests,
+std::string keep_counts(const Course& course, std::vector<TestCase> tests,
                         const std::string& telling) {
     forget_counts(course);
-    const std::optional<Counts> counts = counts_told(tests, telling);
-    if (!counts) return "";
-    try {
-        fs::create_directories(course.out());
-        app::replace_file(counts_file(course, counts_names[0]),
-                          rt::encode_png(picture_of(*counts, counts->expected)));
-        app::replace_file(counts_file(course, counts_names[1]),
-                          rt::encode_png(picture_of(*counts, counts->seen)));
-    } catch (const std::exception&) {
-        return "";  // the words of the check say it, too
+    std::stable_partition(tests.begin(), tests.end(),
+                          [&](const TestCase& test) { return test.name == telling; });
+    for (const TestCase& test : tests) {
+        const auto counts = test.hard || test.passed ? std::nullopt : counts_in(test);
+        if (!counts) continue;
+        try {
+            fs::create_directories(course.out());
+            app::replace_file(counts_file(course, counts_names[0]),
+                              rt::encode_png(picture_of(*counts, counts->expected)));
+            app::replace_file(counts_file(course, counts_names[1]),
+                              rt::encode_png(picture_of(*counts, counts->seen)));
+        } catch (const std::exception&) {
+            return "";  // the words of the check say it, too
+        }
+        return '\n' + wrapped("What \"" + test.name +
+                                  "\" has counted, as pictures: out/counts_expected.png shows what "
+                                  "was expected, out/counts_yours.png what your code gave.",
+                              "  ");
     }
-    return wrapped(
-        "What was counted, as pictures: expected in out/counts_expected.png, yours in "
-        "out/counts_yours.png.",
-        "    ");
+    return "";
 }
 
 void forget_counts(const Course& course) {

@@ -25,10 +25,11 @@ std::optional<Counts> read_counts(const std::string& text);
 // Full height or brightness is 1.5 times the largest number that is expected.
 rt::Image picture_of(const Counts& counts, const std::vector<double>& numbers);
 
-// Keeps the counts of the test case that is told (the one with the name `telling`, or else the
-// first that failed) as out/counts_expected.png and out/counts_yours.png, and returns a sentence
-// about them. Without counts, it removes the pictures of an earlier check and returns nothing.
-std::string keep_counts(const Course& course, const std::vector<TestCase>& tests,
+// Keeps the counts of a failing test case of the core as out/counts_expected.png and
+// out/counts_yours.png, and returns a sentence about them: of the one with the name `telling`, or
+// else of the first that has counts. If none has, it removes the pictures of an earlier check and
+// returns nothing.
+std::string keep_counts(const Course& course, std::vector<TestCase> tests,
                         const std::string& telling);
 void forget_counts(const Course& course);
 

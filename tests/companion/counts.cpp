@@ -68,7 +68,9 @@ TEST_CASE("the counts of the test case that is told are kept until the next chec
     star.hard = true;
     const std::vector<TestCase> tests{passed, star, failing("first", "1;3;4"),
                                       failing("told", "2;1 0;1 1")};
-    CHECK(keep_counts(course, tests, "told").find("out/counts_expected.png") != std::string::npos);
+    const std::string words = keep_counts(course, tests, "told");
+    CHECK(words.find("\"told\"") != std::string::npos);
+    CHECK(words.find("out/counts_expected.png") != std::string::npos);
     const auto told = kept_counts(course);
     REQUIRE(told.size() == 2);
     CHECK(told.at("counts_yours") == rt::encode_png(picture_of({2, {1, 0}, {1, 1}}, {1, 0})));
@@ -77,6 +79,9 @@ TEST_CASE("the counts of the test case that is told are kept until the next chec
     CHECK(keep_counts(course, tests, "") != "");
     CHECK(kept_counts(course).at("counts_yours") == rt::encode_png(picture_of({1, {3}, {4}}, {3})));
 
+    // A test case without counts may be the one that is told.
+    CHECK(keep_counts(course, {failing("other", ""), failing("first", "1;3;4")}, "other")
+              .find("\"first\"") != std::string::npos);
     CHECK(keep_counts(course, {passed, star, failing("no counts", "")}, "") == "");
     CHECK(kept_counts(course).empty());
 }

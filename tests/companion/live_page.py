@@ -137,7 +137,7 @@ printf "P3\n2 1\n255\n$color 0 0 0\n" "$bright" >"$out"
     def test_what_was_counted_is_seen_until_the_next_check(self):
         with self.watched("01") as terminal:
             self.write("one", "wrong\ncounts 2;3 5;4 4\n")
-            terminal.expect("expected in out/counts_expected.png")
+            terminal.expect("out/counts_expected.png shows")
             state = self.state_when(lambda state: not state["checking"] and state["picture"]["shown"])
             self.assertLessEqual({"counts_expected", "counts_yours"}, set(state["picture"]["shown"]))
             self.assertEqual(self.pixels("counts_yours"), self.pixels("counts_expected"))  # above the bars
