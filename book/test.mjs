@@ -820,6 +820,18 @@ async function tryAnswers() {
          [{ pictures: 3 }, /in [1-9]\d* of 144 tiles: the line fails\.$/], [{ mistake: 3, pictures: 0 }, /in [1-9]\d of 144 .* fails\.$/]],
         ['13-cluster.html', '13.schedule', [{ ranks: 4 }, /^4 slices keep the ranks busy [67]\d\.\d %/], [{ share: 3 }, /^135 tiles .* busy 9\d\.\d %/],
          [{ share: 1, slow: 3 }, /^12 tiles .* busy 7\d\.\d %/], [{ share: 5, slow: 1, ranks: 6, latency: 1.30103 }, /^2040 tiles .* busy 2\d\.\d %/]],
+        ['12-triangles.html', '12.ears', [{ cut: 0 }, /^8 of 12 corners are ears\. .* corner 0\.$/], [{ cut: 3 }, /^4 of 9 corners are ears\. .* corner 6\.$/],
+         [{ cut: 10 }, /10 triangles/], [{ dx: -2.4 }, /^Sides cross/], [{ dx: 0, letter: 2, cut: 0 }, /^5 of 10 corners/]],
+        ['12-triangles.html', '12.terminator', [{ lift: 0 }, /^Of 5944 points .*, 132 are black/], [{ lift: 0.05 }, /, 33 are black/],
+         [{ lift: 1 }, /, 0 are black/], [{ cuts: 0 }, /, 0 are black/], [{ lift: 0, cuts: 3 }, /, [1-9]\d* are black/]],
+        ['14-light.html', '14.shares', [{ number: 0.234375 }, /chooses entry 0, whose share 0\.250 .* rest of the number is 0\.94\.$/],
+         [{ number: 0.25 }, /chooses entry 2, .* 0\.375 .* is 0\.125, and the rest of the number is 0\.00\.$/], [{ number: 0.375 }, /chooses entry 3,/],
+         [{ number: 0, w0: 0 }, /chooses entry 2,/], [{ w2: 0, w3: 0 }, /nothing to choose/]],
+        ['14-light.html', '14.plates', [{ bounces: 0 }, /sharpest plate 18\.\d\d, in the second picture 0\.10; .* dullest plate 0\.00 and 0\.03\.$/],
+         [{ bounces: 0.5 }, /plate 9\.\d\d, .* plate 17\.\d\d and 0\.03\.$/],
+         [{ bounces: 1, heuristic: 1 }, /plate 0\.00, in the second picture 0\.04; .* plate 34\.\d\d and 0\.00\.$/]],
+        ['14-light.html', '14.lobe', [{ angle: 0, roughness: 0.5 }, /within 18° .* within 15° of it to the side\. Of 100, 6 lead/],
+         [{ angle: 80 }, /within 21° .* within 6° of it to the side\. Of 100, 5 lead/], [{ roughness: 0.1 }, /Of 100, 0 lead/]],
         ['12-triangles.html', '12.triangle', [{ x: 4, y: 2 }, /weights of a, b and c are −0\.44, 0\.81 and 0\.62/],
          [{ tilt: 90, x: 1, y: 1 }, /determinant is 0/], [{ tilt: 0, start: -1 }, /^No hit: .* behind/], [{ start: 2 }, /^A hit at t = 2\.00/]],
     ]) {
@@ -847,7 +859,7 @@ async function tryOneLiveFigure(from) {
 
 function tryLiveFigureCount() {
     const figures = pages.flatMap(liveOn);
-    for (const chapter of ['01', '02', '03', '04', '05', '06', '07', '08', '11', '12']) {
+    for (const chapter of ['01', '02', '03', '04', '05', '06', '07', '08', '11', '12', '14']) {
         const count = figures.filter(figure => figure.startsWith(`${chapter}.`)).length;
         check(count >= 2, `chapter ${chapter} has ${count} live figures, fewer than 2`);
     }

@@ -1,10 +1,15 @@
 // The live figures of chapter 12.
 #include <array>
 #include <optional>
+#include <rt/cut_ears.hpp>
 #include <rt/hit_triangle.hpp>
 #include <rt/lambert.hpp>
+#include <rt/make_ball.hpp>
+#include <rt/make_camera.hpp>
 #include <rt/mesh_materials.hpp>
 #include <rt/metal.hpp>
+#include <rt/primary_ray.hpp>
+#include <rt/sample_rng.hpp>
 #include <string_view>
 #include <vector>
 
@@ -548,6 +553,277 @@ void drag(NormalsControls& c, const Drag& to) {
         std::asin(std::clamp(c.beside / std::hypot(Sun::reach, c.beside), -1.0, 1.0));
     const double degrees = in_degrees(std::atan2(now.y, now.x) - beside);
     c.sun = degrees < -90 ? 180 : degrees;
+}
+
+// ---- A polygon, cut ear by ear ----
+
+namespace {
+
+struct Letter {
+    std::vector<Point> corners;  // counterclockwise
+    std::size_t marked;          // the corner that can be dragged
+};
+
+const Letter& letter_of(const EarsControls& c) {
+    static const std::array letters{
+        Letter{{{0, 3},
+                {0, 0},
+                {1, 0},
+                {1, 1},
+                {2, 1},
+                {2, 0},
+                {3, 0},
+                {3, 3},
+                {2, 3},
+                {2, 2},
+                {1, 2},
+                {1, 3}},
+               3},
+        Letter{{{0.3, 3},
+                {0.3, 0},
+                {2.7, 0},
+                {2.7, 0.6},
+                {1, 0.6},
+                {1, 1.2},
+                {2.3, 1.2},
+                {2.3, 1.8},
+                {1, 1.8},
+                {1, 2.4},
+                {2.7, 2.4},
+                {2.7, 3}},
+               4},
+        [] {
+            Letter star{{}, 1};
+            for (int i = 0; i < 10; ++i) {
+                const double angle = rt::pi * (0.5 + i / 5.0), far = i % 2 == 0 ? 1.6 : 0.62;
+                star.corners.push_back({1.5 + far * std::cos(angle), 1.35 + far * std::sin(angle)});
+            }
+            return star;
+        }()};
+    return letters[static_cast<std::size_t>(c.letter)];
+}
+
+std::vector<Point> polygon_of(const EarsControls& c) {
+    const Letter& letter = letter_of(c);
+    std::vector<Point> corners = letter.corners;
+    corners[letter.marked] = corners[letter.marked] + Point{c.dx, c.dy};
+    return corners;
+}
+
+struct EarsLayout {
+    Frame frame;
+    double height;
+
+    explicit EarsLayout(double width)
+        : frame{{width / 2, (width < 520 ? 0.47 : 0.27) * width},
+                {1.5, 1.5},
+                (width < 520 ? 0.25 : 0.145) * width},
+          height{2 * frame.at.y + 30} {}
+};
+
+// A corner of what is left.
+enum class Kind { ear, turned_in, blocked };
+struct Judged {
+    Kind kind = Kind::ear;
+    std::size_t by = 0;  // the corner that is in the way
+};
+
+Judged judge(const rt::FlatPolygon& flat, const std::vector<std::size_t>& left, std::size_t i) {
+    const std::size_t count = left.size(), a = left[(i + count - 1) % count], b = left[i],
+                      c = left[(i + 1) % count];
+    if (!(flat.area(a, b, c) > 0)) return {Kind::turned_in};
+    for (const std::size_t p : left)
+        if (p != a && p != b && p != c && flat.is_inside(p, a, b, c, true))
+            return {Kind::blocked, p};
+    return {};
+}
+
+}  // namespace
+
+void draw(const EarsControls& c, Drawing& out) {
+    const EarsLayout layout{out.width};
+    out.height = layout.height;
+    const std::vector<Point> corners = polygon_of(c);
+    std::vector<rt::Vec3> points;
+    for (const Point p : corners) points.push_back({p.x, p.y, 0});
+    const auto page = [&](std::size_t i) { return layout.frame.to_page(corners[i]); };
+
+    const auto ears = rt::ears_of(points);
+    const rt::FlatPolygon flat{points, rt::area_vector(points)};
+    std::vector<std::size_t> left(corners.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = i;
+
+    // What has been cut off.
+    const std::size_t cut = std::min(static_cast<std::size_t>(c.cut), ears.size());
+    for (std::size_t k = 0; k < cut; ++k) {
+        const auto& [a, b, d] = ears[k];
+        out.polygon({page(a), page(b), page(d)}, thin(k % 2 == 0 ? green : blue, 0.3));
+        out.path({page(a), page(b), page(d), page(a)}, {muted, 1});
+        out.text((1.0 / 3) * (page(a) + page(b) + page(d)), "{}", ink, Align::middle,
+                 double(k + 1));
+        std::erase(left, b);
+    }
+
+    // What is left, and the next ear.
+    const bool is_done = !ears.empty() && cut == ears.size();
+    std::vector<Point> rest;
+    for (const std::size_t i : left) rest.push_back(page(i));
+    if (!is_done) {
+        out.polygon(rest, thin(sky, 0.3));
+        if (!ears.empty()) {
+            const auto& [a, b, d] = ears[cut];
+            out.polygon({page(a), page(b), page(d)}, paper);
+            out.polygon({page(a), page(b), page(d)}, thin(amber, 0.35));
+            out.line(page(a), page(d), {amber, 2, 6});
+        }
+        rest.push_back(rest.front());
+        out.path(rest, {ink, 2.5});
+    }
+
+    // Each corner of it: an ear or not.
+    int count = 0;
+    for (std::size_t i = 0; i < left.size() && !is_done; ++i) {
+        const Point at = page(left[i]), last = page(left[(i + left.size() - 1) % left.size()]),
+                    next = page(left[(i + 1) % left.size()]), away = at - 0.5 * (last + next);
+        const Judged judged = judge(flat, left, i);
+        const double length = std::max(1e-9, std::hypot(away.x, away.y)),
+                     outward = judged.kind == Kind::turned_in ? -24 : 24;
+        const Point label = at + (outward / length) * away;
+        count += judged.kind == Kind::ear;
+        const Ink color = judged.kind == Kind::ear ? green : orange;
+        out.dot(at, color, 4);
+        if (judged.kind == Kind::ear)
+            out.text(label, "{} ✓", color, Align::middle, double(left[i]));
+        else if (judged.kind == Kind::turned_in)
+            out.text(label, "{} ✗", color, Align::middle, double(left[i]));
+        else
+            out.text(label, "{} ✗{}", color, Align::middle, double(left[i]), double(judged.by));
+    }
+    out.handle(page(letter_of(c).marked));
+    out.text({out.width / 2, out.height - 14},
+             out.is_narrow() ? "✓ ear   ✗ turned inward   ✗3 corner 3 is in it"
+                             : "✓ an ear   ✗ turned inward   ✗3 corner 3 is in the triangle",
+             muted);
+
+    if (ears.empty())
+        out.say("Sides cross: no triangles cover this polygon once.");
+    else if (is_done)
+        out.say("Done: the polygon is {} triangles, two fewer than its corners.",
+                double(ears.size()));
+    else
+        out.say("{} of {} corners are ears. The next one to be cut off is at corner {}.",
+                double(count), double(left.size()), double(ears[cut][1]));
+}
+
+void drag(EarsControls& c, const Drag& to) {
+    const double scale = EarsLayout{to.width}.frame.scale;
+    c.dx = std::round(20 * (c.dx + to.moved().x / scale)) / 20;
+    c.dy = std::round(20 * (c.dy - to.moved().y / scale)) / 20;
+}
+
+// ---- The shadow terminator ----
+
+namespace {
+
+// A ball of triangles, matte, with smooth normals.
+class MatteBall {
+  public:
+    explicit MatteBall(int cuts)
+        : mesh_{rt::make_ball(cuts)}, tree_{rt::make_wide_tree(rt::triangles_of(mesh_, 0, 0))} {}
+
+    std::size_t triangles() const { return mesh_.triangles.size(); }
+
+    // The share of sunlight that is seen along a ray, or none if the ray misses. Light over a
+    // triangle's horizon starts this share of lift() above the triangle.
+    std::optional<double> light(const rt::Ray& ray, rt::Vec3 to_sun, double share) const {
+        const auto hit = tree_.hit(ray, {0, rt::infinity});
+        if (!hit) return {};
+        const auto number = static_cast<std::size_t>(rt::triangle_number(*hit));
+        const rt::Triangle triangle = tree_.shape(static_cast<std::int32_t>(number)).shape;
+        std::array<rt::Vec3, 3> normals;
+        for (std::size_t k = 0; k < 3; ++k)
+            normals[k] = mesh_.normals[static_cast<std::size_t>(mesh_.triangles[number][k].normal)];
+        const rt::Vec2 weights = rt::weights_at(triangle, hit->point);
+        const double lit =
+            rt::lambert(rt::smooth_normal(normals, weights.x, weights.y, hit->normal), to_sun);
+        if (!(lit > 0)) return 0;
+        if (rt::dot(to_sun, hit->normal) > 0) return lit;  // nothing is in the way on a ball
+        const rt::Vec3 lift = share * rt::lift(triangle, normals, weights.x, weights.y);
+        if (lift == rt::Vec3{}) return 0;  // the triangle itself is in the way
+        return tree_.occluded(rt::Ray{hit->point + lift, to_sun}, {0, rt::infinity}) ? 0 : lit;
+    }
+
+  private:
+    rt::Mesh mesh_;
+    rt::TriangleTree tree_;
+};
+
+std::optional<double> true_light(const rt::Ray& ray, rt::Vec3 to_sun) {
+    const auto t = rt::hit_sphere(rt::unit_sphere, ray, {0, rt::infinity});
+    if (!t) return {};
+    return rt::lambert(ray.at(*t), to_sun);
+}
+
+rt::Vec3 sun_of(const TerminatorControls& c) {
+    const double turn = rt::radians(c.sun);
+    return rt::normalize(rt::Vec3{std::sin(turn), 0.55, std::cos(turn)});
+}
+
+rt::Camera ball_camera(int pixels) {
+    return rt::make_camera({{0, 0, 6}, {0, 0, 0}, {0, 1, 0}, rt::radians(22.5)}, pixels, pixels);
+}
+
+}  // namespace
+
+void draw(const TerminatorControls& c, Drawing& out) {
+    constexpr double title = 26, gap = 12;
+    const double side = std::min(360.0, (out.width - gap) / 2);
+    const int pixels = static_cast<int>(std::min(side * out.pixel_ratio, 480.0));
+    out.height = side + title;
+    const double left = (out.width - 2 * side - gap) / 2;
+    const auto ball = std::make_shared<MatteBall>(static_cast<int>(c.cuts));
+    const rt::Vec3 to_sun = sun_of(c);
+    const rt::Camera camera = ball_camera(pixels);
+    const double share = c.lift;
+    out.refine({left, title}, {left + 2 * side + gap, title + side}, 2 * pixels, pixels, 32,
+               [ball, camera, to_sun, share, pixels](int column, int row, int sample) -> rt::Color {
+                   const bool is_mesh = column < pixels;
+                   rt::Rng random = rt::sample_rng(1, column % pixels, row, sample);
+                   const rt::Ray ray =
+                       rt::primary_ray(camera, column % pixels, row, rt::random_place(random));
+                   // A sun that is a little larger than the real one.
+                   const rt::Vec3 beside{random.uniform() - 0.5, random.uniform() - 0.5,
+                                         random.uniform() - 0.5};
+                   const rt::Vec3 sun = rt::normalize(to_sun + 0.04 * beside);
+                   const auto light = is_mesh ? ball->light(ray, sun, share) : true_light(ray, sun);
+                   if (!light) return {0.02, 0.025, 0.035};
+                   return *light * rt::from_hex(0xf2bd98) + rt::Color{0.006, 0.007, 0.01};
+               });
+    out.box({out.width / 2 - gap / 2, title}, {out.width / 2 + gap / 2, out.height}, paper);
+    out.bold = true;
+    out.text({left, 12}, "{} triangles", ink, Align::left, double(ball->triangles()));
+    out.text({left + side + gap, 12}, "the true ball", ink, Align::left);
+    out.bold = false;
+    out.handle_everywhere();
+
+    // Where the true ball is lit, and the triangles are not.
+    constexpr int grid = 160;
+    const rt::Camera coarse = ball_camera(grid);
+    int lit = 0, black = 0;
+    for (int row = 0; row < grid; ++row)
+        for (int column = 0; column < grid; ++column) {
+            const rt::Ray ray = rt::primary_ray(coarse, column, row, {0.5, 0.5});
+            const auto wanted = true_light(ray, to_sun), seen = ball->light(ray, to_sun, share);
+            if (!wanted || !seen || !(*wanted > 0.02)) continue;
+            ++lit;
+            black += *seen == 0;
+        }
+    out.say("Of {} points that the sun lights on the true ball, {} are black on the triangles.",
+            double(lit), double(black));
+}
+
+void drag(TerminatorControls& c, const Drag& to) {
+    c.sun += 120 * to.moved().x / to.width;
 }
 
 }  // namespace live

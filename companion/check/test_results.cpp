@@ -48,7 +48,8 @@ FailedAssertion read_failure(const json& event) {
     for (const json& message : event.value("messages", json::array()))
         failure.messages.push_back(
             {trimmed(text_of(message, "text")), trimmed(text_of(message, "expected"), " ,.;\n"),
-             trimmed(text_of(message, "actual"), " ,.;\n"), message.value("if_it_crashes", false)});
+             trimmed(text_of(message, "actual"), " ,.;\n"), message.value("if_it_crashes", false),
+             message.value("counts", "")});
     return failure;
 }
 

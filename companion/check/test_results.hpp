@@ -12,6 +12,7 @@ struct Message {
     std::string text;              // for the learner: values, hints
     std::string expected, actual;  // the values that the text names, if it does
     bool if_it_crashes = false;    // it helps only if the code crashes
+    std::string counts{};          // what was counted, and expected: see counts.hpp
 
     // Whether the text shows two values that differ. If they are the same, the message belongs to
     // an earlier assertion, or shows too few digits.

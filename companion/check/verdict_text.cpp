@@ -177,7 +177,8 @@ std::string describe(const FailedAssertion& failure, bool is_star) {
     const Message* const last = failure.expectation();
     std::string text;
     for (const Message& message : failure.messages)
-        if (!message.if_it_crashes && (message.expected.empty() || &message == last))
+        if (!message.if_it_crashes && !message.text.empty() &&
+            (message.expected.empty() || &message == last))
             text += wrapped(readable(message.text), "    ");
     // The values of an assertion add nothing where a message has compared them already.
     const bool is_told = !is_star && last && last->compares();

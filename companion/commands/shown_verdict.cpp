@@ -1,3 +1,4 @@
+#include <companion/check/counts.hpp>
 #include <companion/check/known_mistakes.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/shown_verdict.hpp>
@@ -16,7 +17,9 @@ void print_mistakes(const Course& course, const Checked& checked, const IsOver& 
 
 void print_details(const Course& course, const Checked& checked, const IsOver& is_over,
                    const std::function<void(const std::string&)>& say) {
-    say('\n' + details(checked, most_telling(course, checked.exercise, checked.tests())));
+    const std::string telling = most_telling(course, checked.exercise, checked.tests());
+    say('\n' + details(checked, telling));
+    say(keep_counts(course, checked.tests(), telling));
     print_mistakes(course, checked, is_over, say);
     say(where_to_read(checked));
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <companion/build/turn.hpp>
 #include <companion/check/check.hpp>
+#include <companion/check/counts.hpp>
 #include <companion/check/prepare.hpp>
 #include <companion/check/verdict_text.hpp>
 #include <companion/commands/commands.hpp>
@@ -150,6 +151,7 @@ class Watch {
 
     // Returns whether the current exercise passes.
     bool check_current() {
+        forget_counts(course_);
         if (page_) page_->begin(all_[current_], next_step(course_, all_[current_]));
         const bool passes = tell_verdict();
         if (page_) page_->end();

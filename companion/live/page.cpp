@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <app/files.hpp>
 #include <cmath>
+#include <companion/check/counts.hpp>
 #include <companion/compare/comparison_sheet.hpp>
 #include <companion/live/book_file.hpp>
 #include <companion/live/page.hpp>
@@ -95,6 +96,7 @@ void LivePage::begin(const Exercise& exercise, const std::string& next) {
     next_ = next;
     verdict_.clear();
     is_checking_ = true;
+    show_counts({});
     publish();
 }
 
@@ -111,6 +113,7 @@ void LivePage::tell(const std::string& text) {
 
 void LivePage::end() {
     is_checking_ = false;
+    show_counts(kept_counts(course_));
     pictures_.look_at(current_->chapter);
     renew();
 }
@@ -119,6 +122,7 @@ void LivePage::begin_tracer() {
     title_ = "Your tracer";
     verdict_.clear();
     is_checking_ = true;
+    show_counts({});
     publish();
 }
 
@@ -185,8 +189,14 @@ void LivePage::obey(const Request& wish) {
         app::replace_file(reading_file(course_), value("page") + '#' + value("section"));
 }
 
+void LivePage::show_counts(std::map<std::string, std::string> counts) {
+    if (counts == counts_) return;
+    counts_ = std::move(counts);
+    show_pictures();
+}
+
 void LivePage::show_pictures() {
-    std::map<std::string, std::string> shown;
+    std::map<std::string, std::string> shown = counts_;
     const auto &mine = pictures_.mine(), &solution = pictures_.solution();
     if (mine) shown["mine"] = rt::encode_png(mean_of({*mine}));
     if (solution) shown["solution"] = rt::encode_png(mean_of({*solution}));

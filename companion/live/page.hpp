@@ -21,7 +21,8 @@ class LivePage {
     std::string address() const { return server_.address(); }
 
     // A check of this exercise begins, which comes next while it does not pass; what the terminal
-    // says of it; it has ended. Then the picture of its chapter is drawn.
+    // says of it; it has ended. Then the picture of its chapter is drawn. What the check counted,
+    // and what was expected, are pictures in out/ if it failed by that: see counts.hpp.
     void begin(const Exercise& exercise, const std::string& next);
     void tell(const std::string& text);
     void end();
@@ -54,6 +55,7 @@ class LivePage {
     nlohmann::json picture() const;
     void publish();
     void show_pictures();
+    void show_counts(std::map<std::string, std::string> counts);
 
     const Course& course_;
     LivePictures pictures_;
@@ -70,7 +72,8 @@ class LivePage {
     std::map<std::string, std::string> shown_pictures_;  // PNG files by their names
     std::vector<Request> wishes_;
     std::atomic<bool> is_asked_ = false;
-    std::string shown_path_;  // of a sample's light, an SVG file
+    std::map<std::string, std::string> counts_;  // of them, those of the last check's counts
+    std::string shown_path_;                     // of a sample's light, an SVG file
     int picture_number_ = 0, path_number_ = 0;
 
     Server server_;  // the last, so that it ends first

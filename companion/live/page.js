@@ -63,7 +63,7 @@ async function showPicture({ picture }) {
     at('draw').hidden = !waits;
     at('draw').textContent = `Draw it at each save, which takes about ${seconds} s of processor time`;
     document.querySelector('.compare').classList.toggle('old', isOld);
-    say('words', isOld ? shown.length ? 'This is the picture of an earlier save.' : ''
+    say('words', isOld ? shown.includes('mine') ? 'This is the picture of an earlier save.' : ''
         : words && (words + (isFine || isDone ? '' : '\nA finer picture follows.')));
     at('shows').replaceChildren(...(shows.length ? ['', ...shows] : []).map(word => {
         const button = Object.assign(document.createElement('button'), { type: 'button', textContent: word || 'picture' });
@@ -85,6 +85,7 @@ async function showPicture({ picture }) {
     } catch {  // a newer one has come
         return;
     }
+    at('counts').hidden = !has('counts_expected');
     document.querySelector('.compare').hidden = !has('mine');
     document.querySelector('.pair').classList.toggle('alone', !has('solution'));
     document.querySelector('.compare label').hidden = !has('solution');

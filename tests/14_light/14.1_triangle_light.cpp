@@ -31,6 +31,16 @@ std::size_t cell_of(Vec2 weights) {
     return static_cast<std::size_t>(row * (16 - row) + 2 * column + (turned ? 1 : 0));
 }
 
+// Numbers of these triangles as a picture with a at the lower left: eight rows of 15 cells.
+template <class Number>
+std::vector<Number> in_rows(const std::vector<Number>& numbers) {
+    std::vector<Number> rows(8 * 15);
+    auto next = numbers.begin();
+    for (std::size_t row = 0; row < 8; ++row)
+        for (std::size_t k = 0; k < 15 - 2 * row; ++k) rows[15 * (7 - row) + k] = *next++;
+    return rows;
+}
+
 // The message of a wrong density.
 void check_density(const Triangle& light, Vec3 from, Vec3 point, Real allowed, const char* hint) {
     const Exact expected = Exact(1) / exact_solid_angle(light, from, point);
@@ -133,8 +143,9 @@ TEST_CASE("14.1 the points are spread evenly over the triangle", "[14.1]") {
         }
         ++cells[cell_of(weights)];
     }
-    const double statistic =
-        chi_square(cells, std::vector<double>(64, static_cast<double>(count) / 64));
+    const std::vector<double> expected(64, static_cast<double>(count) / 64);
+    const double statistic = chi_square(cells, expected);
+    INFO(pictured(in_rows(cells), in_rows(expected), 15));
     INFO(
         "64,000 points in 64 equal triangles, a thousand expected in each: the one at corner a "
         "has "

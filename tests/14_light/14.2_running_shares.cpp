@@ -197,6 +197,7 @@ TEST_CASE("14.2 entries are chosen as often as their weights say", "[14.2]") {
     std::vector<double> expected;
     for (const Real weight : weights) expected.push_back(static_cast<double>(count * weight / all));
     const double statistic = chi_square(chosen, expected);
+    INFO(pictured(chosen, expected, 64));
     INFO("100,000 picks among 64 weights: entry 0 was chosen "
          << chosen[0] << " times, and " << expected[0] << " was expected; entry 63 " << chosen[63]
          << " times, and " << expected[63] << " was expected");

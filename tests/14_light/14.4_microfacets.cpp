@@ -65,13 +65,14 @@ void check_near(double computed, double expected, double relative) {
 const Real usual_alphas[] = {1, real(0.5), real(0.2)};
 const Real usual_cosines[] = {1, real(0.8), real(0.4), real(0.15)};
 
-// Directions in cells of equal solid angle: heights by turns. The last cell is for those below.
+// Directions in cells of equal solid angle: heights from the top down by turns. The last cell is
+// for those below the surface.
 constexpr int rings = 10, turns = 16;
 std::size_t cell_of(Vec3 v) {
     if (!(v.z > 0)) return rings * turns;
     const double turn = std::atan2(static_cast<double>(v.y), static_cast<double>(v.x)) / (2 * pi);
     const int column = std::clamp(static_cast<int>((turn + 0.5) * turns), 0, turns - 1);
-    const int row = std::clamp(static_cast<int>(v.z * rings), 0, rings - 1);
+    const int row = rings - 1 - std::clamp(static_cast<int>(v.z * rings), 0, rings - 1);
     return static_cast<std::size_t>(row * turns + column);
 }
 
@@ -82,7 +83,7 @@ std::vector<double> integrals(const std::function<double(Vec3)>& density) {
     double rest = 1;
     for (int row = 0; row < rings * steps; ++row)
         for (int column = 0; column < turns * steps; ++column) {
-            const double z = (row + 0.5) / (rings * steps),
+            const double z = 1 - (row + 0.5) / (rings * steps),
                          angle = ((column + 0.5) / (turns * steps) - 0.5) * 2 * pi,
                          sine = std::sqrt(1 - z * z);
             const Vec3 v{real(sine * std::cos(angle)), real(sine * std::sin(angle)), real(z)};
@@ -100,7 +101,12 @@ constexpr int samples = 100'000;
 void check_counts(const std::vector<long>& counts, const std::vector<double>& shares,
                   const char* hint) {
     Cells cells;
-    for (std::size_t i = 0; i < counts.size(); ++i) cells.add(counts[i], shares[i] * samples);
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        expected.push_back(shares[i] * samples);
+        cells.add(counts[i], expected[i]);
+    }
+    INFO(pictured(counts, expected, turns));
     auto& [seen, wanted] = cells;
     // The integrals are sums, and a little off.
     wanted[0] += 5;

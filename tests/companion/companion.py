@@ -51,9 +51,11 @@ mkdir -p check
     failed='{"event":"ends","passed":false,"output":""}'
     narrow=no
     case $id in *.float) grep -q 'not in float' "$file" && narrow=yes ;; esac
+    counts=$(sed -n 's/^counts //p' "$file")
     if grep -q wrong "$file" || [ $narrow = yes ]; then
         event '{"event":"failed","macro":"CHECK","expression":"a == b","expanded":"3 == 2",' \
-            '"messages":[{"text":"expected 2, but yours gives 3.\nHint: count once more","expected":"2"}]}'
+            '"messages":[{"text":"expected 2, but yours gives 3.\nHint: count once more","expected":"2"},' \
+            '{"text":"","counts":"'"$counts"'"}]}'
         event "$failed"
     elif grep -q 'needs 01.2' "$file"; then
         event '{"event":"failed","exception":"there","missing":"01.2","messages":[]}'

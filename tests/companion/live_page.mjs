@@ -39,7 +39,7 @@ try {
     assert.match(await page.textContent('#contract'), /^Exercise 01\.1\./);
     const before = await page.getAttribute('#look', 'data-number') ?? 0;
 
-    writeFileSync(header, 'wrong, draws 200\n');
+    writeFileSync(header, 'wrong, draws 200\ncounts 4;3 1 0 4;2 2 2 2\n');
     await page.locator('#verdict', { hasText: 'expected 2, but yours gives 3' }).waitFor();
     let number = await pictureAfter(+before);
     while ((await color('mine'))[0] !== 200) number = await pictureAfter(number);
@@ -47,6 +47,10 @@ try {
     assert.match(await page.textContent('#whose'), /These do not pass yet, but are used anyway: 01\.1/);
     assert.match(await page.textContent('#words'), /differ/);
     assert.equal(await page.getAttribute('#ticks li >> nth=0', 'data-passes'), 'false');
+
+    for (const id of ['counts_expected', 'counts_yours']) await page.locator(`#${id}`).waitFor();
+    assert.deepEqual(await page.locator('#counts figcaption').allTextContents(), ['expected', 'yours']);
+    assert.notDeepEqual(await page.getAttribute('#counts_expected', 'src'), await page.getAttribute('#counts_yours', 'src'));
 
     // By keyboard: the line between the pictures, what is drawn, a hint.
     const slider = page.getByLabel('From yours to the solution’s');
@@ -90,6 +94,7 @@ try {
     writeFileSync(header, 'right\n');
     await page.locator('#ticks li[data-passes=true]', { hasText: '01.1' }).waitFor();
     await page.locator('#next', { hasText: 'Number two' }).waitFor();
+    await page.locator('#counts').waitFor({ state: 'hidden' });
     await page.locator('#words', { hasText: 'The same as the solution' }).waitFor();
     assert.deepEqual(faults, []);
 } finally {

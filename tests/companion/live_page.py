@@ -134,6 +134,19 @@ printf "P3\n2 1\n255\n$color 0 0 0\n" "$bright" >"$out"
             self.assertEqual(state["picture"]["words"], "The same as the solution's, bit for bit.")
             self.assertEqual(self.pixels("mine"), [10, 0, 0])
 
+    def test_what_was_counted_is_seen_until_the_next_check(self):
+        with self.watched("01") as terminal:
+            self.write("one", "wrong\ncounts 2;3 5;4 4\n")
+            terminal.expect("out/counts_expected.png shows")
+            state = self.state_when(lambda state: not state["checking"] and state["picture"]["shown"])
+            self.assertLessEqual({"counts_expected", "counts_yours"}, set(state["picture"]["shown"]))
+            self.assertEqual(self.pixels("counts_yours"), self.pixels("counts_expected"))  # above the bars
+            self.assertEqual(self.get("counts_yours.png")[2], (self.root / "out/counts_yours.png").read_bytes())
+            self.write("one", "right\n")
+            terminal.expect("01.1 .*done")
+            self.state_when(lambda state: not {"counts_expected", "counts_yours"} & set(state["picture"]["shown"]))
+            self.assertFalse((self.root / "out/counts_yours.png").exists())
+
     def test_what_does_not_compile_has_no_picture(self):
         self.put("CMakeLists.txt", (self.root / "CMakeLists.txt").read_text().replace(
             self.program("01_tiny_mine"),

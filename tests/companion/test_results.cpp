@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "catch.hpp"
+#include "pictured.hpp"
 #include "processor_time.hpp"
 #if __has_include(<catch2/internal/catch_test_failure_exception.hpp>)
 #include <catch2/internal/catch_test_failure_exception.hpp>
@@ -145,6 +146,7 @@ TEST_CASE("events: fails", "[.events]") {
     INFO(EXPECTED "1, " ACTUAL "\xff.\nHint: "
          << "actual or expected");
     INFO(IF_IT_CRASHES "call");
+    INFO(checkpoint::pictured({3, 5, 9}, {4, 4.5, 9}, 2));
     CHECK(1 + 1 == 1);
     FAIL_CHECK("said aloud");
 }
@@ -187,6 +189,8 @@ TEST_CASE("the reporter's lines say all, also of a crash", "[test_results]") {
     CHECK(tests[1].failures[0].messages.at(0).actual.size() == 3);  // a sign for what is no letter
     CHECK(tests[1].failures[0].messages.at(1).text == "Hint, if this crashes: call");
     CHECK(tests[1].failures[0].messages.at(1).if_it_crashes);
+    CHECK(tests[1].failures[0].messages.at(2).text == "");
+    CHECK(tests[1].failures[0].messages.at(2).counts == "2;3 5;4 4.5");
     CHECK(tests[1].failures[1].messages.back().text == "said aloud");
     REQUIRE(tests[2].failures.size() == 2);
     CHECK(missing_exercise(tests[2]) == "01.1");

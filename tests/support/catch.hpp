@@ -15,7 +15,7 @@ extern int unfinished_passes;
 // What a message tells the companion beside its text: the expected and the actual value stand each
 // behind its mark, up to `end_mark` or the end of the line. A terminal does not show the marks.
 inline constexpr char expected_mark = '\034', actual_mark = '\035', end_mark = '\036',
-                      crash_mark = '\037';
+                      crash_mark = '\037', counts_mark = '\032';  // counts: see pictured.hpp
 }  // namespace checkpoint
 
 // These stand before the expected and the actual value in a message. If both are there and differ,

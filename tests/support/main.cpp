@@ -93,7 +93,7 @@ std::string missing_exercise() {
 
 // A message without the marks of catch.hpp, and what these mark.
 json fields_of(const std::string& message) {
-    std::string text, expected, actual, rest, *field = &rest;
+    std::string text, expected, actual, counts, rest, *field = &rest;
     bool is_for_crash = false;
     for (const char c : message) {
         if (c == checkpoint::end_mark || c == '\n') field = &rest;
@@ -101,8 +101,12 @@ json fields_of(const std::string& message) {
             field = &expected;
         } else if (c == checkpoint::actual_mark) {
             field = &actual;
+        } else if (c == checkpoint::counts_mark) {
+            field = &counts;
         } else if (c == checkpoint::crash_mark) {
             is_for_crash = true;
+        } else if (field == &counts) {
+            counts += c;
         } else if (c != checkpoint::end_mark) {
             text += c;
             *field += c;
@@ -111,6 +115,7 @@ json fields_of(const std::string& message) {
     return {{"text", text},
             {"expected", expected},
             {"actual", actual},
+            {"counts", counts},
             {"if_it_crashes", is_for_crash}};
 }
 

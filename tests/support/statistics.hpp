@@ -7,6 +7,8 @@
 #include <rt/vec3.hpp>
 #include <vector>
 
+#include "pictured.hpp"
+
 namespace checkpoint {
 
 // The chi-square statistic of correct code stays below this in all but one of 10000 runs.
