@@ -7,7 +7,7 @@
                                         in each pixel; with --first, only README's and the core chapters' first ones;
                                         with --exactly, by all of its samples
     tests/pictures.py --check           says which committed picture has no command, which is wider than it is shown, and
-                                        which drawing has no colors for dark pages or letters that are too small
+                                        which drawing has no colors for dark pages or letters that are too small on a phone
 
 The first two need these targets of a build with COURSE_ALL_TESTS=ON: solution_programs, float_programs, renderer_solution,
 brick_wall, lake and mistake_tool. Most pictures take less than a minute; those of chapters 08 and 11 compile for longer.
@@ -32,6 +32,7 @@ import zlib
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 IMAGES = ROOT / "docs/images"
 PAGE = 800  # pixels: the width of a page's text. A picture in a table has half of it
+PHONE = 350  # pixels: the same on a phone of 390
 
 OTHERS = {
     r"docs/plots/.*\.svg": "./course study --docs",
@@ -690,18 +691,18 @@ def faults_of_drawing(svg):
     """What a drawing lacks: colors for dark pages, or letters that can be read.
 
     >>> drawing = '<svg viewBox="0 0 800 9"><style>%s</style><text fill="#333" font-size="%s">a</text></svg>'
-    >>> faults_of_drawing(drawing % ('@media(prefers-color-scheme:dark){text[fill="#333"]{fill:#ccc}}', 9))
+    >>> faults_of_drawing(drawing % ('@media(prefers-color-scheme:dark){text[fill="#333"]{fill:#ccc}}', 21))
     []
-    >>> len(faults_of_drawing(drawing % ("", 8)))
+    >>> len(faults_of_drawing(drawing % ("", 20)))
     2
     """
     style = "".join(re.findall(r"<style>@media\(prefers-color-scheme:dark\).*?</style>", svg, re.S))
     named = {f'[{what}="{color}"]' for what, color in re.findall(r' (fill|stroke|stop-color)="(#\w+)"', svg)}
     without = sorted(rule for rule in named if rule not in style)
     faults = [f"{without[0]} has no color for dark pages: node book/dark.mjs"] if without else []
-    shown = min(1, PAGE / float(re.search(r'viewBox="\S+ \S+ (\S+)', svg)[1]))
+    shown = min(1, PHONE / float(re.search(r'viewBox="\S+ \S+ (\S+)', svg)[1]))
     least = min(map(float, re.findall(r'font-size="([\d.]+)"', svg)), default=16)
-    return faults + ([f"letters of {least * shown:.1f} pixels, 9 is the least"] if least * shown < 9 else [])
+    return faults + ([f"letters of {least * shown:.1f} pixels on a phone, 9 is the least"] if least * shown < 9 else [])
 
 
 def check():

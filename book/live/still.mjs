@@ -19,7 +19,7 @@ const compiled = await code(chapter, chapters, join(root, 'out/book-cache'));
 if (!compiled) throw new Error('emcc is missing');
 const wasm = (await WebAssembly.instantiate(compiled, imports)).instance.exports;
 wasm._initialize?.();
-const width = 760, number = Object.keys(described.get(chapter)).indexOf(name.slice(3));
+const width = 420, number = Object.keys(described.get(chapter)).indexOf(name.slice(3));
 new Float64Array(wasm.memory.buffer, wasm.live_values(), controls.length)
     .set(controls.map(one => +(set.get(one.name) ?? one.value)));
 wasm.live_draw(number, width, 1);

@@ -38,7 +38,7 @@ int main() {
             double up = 1 - 2 * (row + 0.5) / height;
             double right = (2 * (column + 0.5) - width) / height;
             Vec3 direction = normalize(Vec3{right, up, -2});
-            Vec3 color = {0.7 - 0.3 * up, 0.8 - 0.2 * up, 1};
+            Vec3 color = {0.6 - 0.4 * up, 0.5 - 0.15 * up, 0.55 + 0.1 * up};
             double nearest = -1;
             for (Sphere sphere : spheres) {
                 double t = hit(sphere, eye, direction);

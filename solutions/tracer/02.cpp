@@ -42,7 +42,7 @@ int main(int count, char** words) {
     for_each_pixel({0, 0, width, height}, [&](int column, int row) {
         Ray ray = primary_ray(camera, column, row, {0.5, 0.5});
         double up = ray.direction.y;
-        Vec3 color = {0.7 - 0.3 * up, 0.8 - 0.2 * up, 1};
+        Vec3 color = {0.6 - 0.4 * up, 0.5 - 0.15 * up, 0.55 + 0.1 * up};
         double nearest = -1;
         for (Ball ball : balls) {
             double t = hit(ball, ray);
