@@ -45,7 +45,7 @@ OTHERS = {
 }
 # What one sees first; and what has more than 256 colors, which a soft gradient needs.
 FIRST = re.compile(r"0[0-57-9]_|final|overview")  # that of 06 needs all its samples, which takes long
-ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory-map|04-right|06-scene|08-haze|14-dusk|14-rough")
+ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory-map|04-right|06-scene|08-haze|14-dusk|14-evening|14-rough")
 # To be hung up; shown as wide as the window.
 LARGE = {"final"}
 
@@ -457,8 +457,8 @@ def schlick():
                    for m in (None, "05.4_schlick_inner_cosine")))
 
 
-def metal_glass(width, height, *box):
-    return lambda: draw("05_metal_glass_solution", width, height).part(*box)
+def metal_glass(width, height, samples, *box):
+    return lambda: draw("05_metal_glass_solution", width, height, "--spp", samples).part(*box)
 
 
 def bvh_part(*box, mistake=None):
@@ -512,11 +512,12 @@ def counts():
                     for options in ((), ("--show", "samples"))), gap=4)
 
 
-def forest():
+def written(scene, width, height, *options):
     """A scene that its script writes."""
-    script = ROOT / "chapters/12_triangles/scenes/forest.py"
-    subprocess.run([sys.executable, str(script), str(folder)], check=True)
-    return draw("renderer_solution", 800, 450, str(folder / "forest.json"), "--spp", "16")
+    def picture():
+        subprocess.run([sys.executable, ROOT / f"chapters/{scene}.py", folder], check=True)
+        return draw("renderer_solution", width, height, folder / f"{pathlib.Path(scene).name}.json", *options)
+    return picture
 
 
 def race(mistake=None):
@@ -553,7 +554,7 @@ RECIPES = {
     "12-terminator-lifted": clay("ball"),
     "12-nearest-pixel": glaze("12.6_nearest_pixel"),
     "12-mixed-pixels": glaze(),
-    "12-forest": forest,
+    "12-forest": written("12_triangles/scenes/forest", 800, 450, "--spp", "16"),
     "12-boat": lambda: draw("renderer_solution", 640, 288, "chapters/12_triangles/scenes/boat.json", "--spp", "100"),
     "14_light": chapter("14_light", 480, 480, "--spp", "144"),
     "14-points": lambda: draw("14_light_solution", 800, 600, "--scene", "points").shrunk(400),
@@ -564,6 +565,7 @@ RECIPES = {
     "14-dusk": lambda: draw("renderer_solution", 640, 320, "chapters/14_light/scenes/dusk.json", "--spp", "144"),
     **{f"14-sun-{ways}": lambda ways=ways: draw("14_light_solution", 400, 200, "--scene", "sun", "--ways", ways)
        for ways in ("bounces", "samples")},
+    "14-evening": written("14_light/scenes/evening", 480, 300, "--spp", "256", "--sampler", "sobol", "--exposure", "0.3"),
     "14-rough": lambda: draw("renderer_solution", 640, 240, "chapters/14_light/scenes/rough.json", "--spp", "144"),
     **{f"14-plates-{ways}": lambda ways=ways: draw("14_light_solution", 400, 267, "--scene", "plates", "--spp", "16",
                                                    "--ways", ways) for ways in ("samples", "bounces", "balance", "power")},
@@ -586,9 +588,9 @@ RECIPES = {
     "05-furnace": furnace,
     "06-slices-waiting": waiting(476),
     "06-tiles-waiting": waiting(558),
-    "05-mirror": metal_glass(1200, 675, 0, 90, 250, 240),
-    "05-strip": metal_glass(800, 450, 0, 325, 800, 125),
-    "05-glass": metal_glass(1200, 675, 280, 235, 640, 250),
+    "05-mirror": metal_glass(1200, 675, "324", 0, 90, 250, 240),
+    "05-strip": metal_glass(800, 450, "64", 0, 325, 800, 125),
+    "05-glass": metal_glass(1200, 675, "324", 280, 235, 640, 250),
     "show": shown,
     "06-scene": threads_scene(),
     "07-boxes": lambda: draw("07_bvh_solution", 480, 270, "--show", "boxes"),
