@@ -34,7 +34,8 @@ class MeshWorld {
         instances_ = InstanceTree{std::move(instances)};
     }
 
-    // Not inlined, since a renderer would then take four times as long to compile and be no faster.
+    // Compiled once: as a part of all its callers, it would make a renderer take four times as long
+    // to compile, and no faster.
     template <class AnyRay>
     RT_NOT_INLINED RT_INLINES_ALL std::optional<Hit> hit(const AnyRay& any_ray,
                                                          Interval within) const {
