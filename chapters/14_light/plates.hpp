@@ -3,13 +3,15 @@
 // Source of the idea: Veach and Guibas, "Optimally combining sampling techniques for Monte Carlo
 // rendering", SIGGRAPH 1995.
 
+#include <rt/aggregate.hpp>
 #include <rt/cameras.hpp>
 #include <rt/lens_and_haze.hpp>
 #include <rt/lobe.hpp>
 #include <rt/make_camera.hpp>
-#include <rt/mesh_world.hpp>
 #include <rt/renderer.hpp>
+#include <rt/triangle_leaf.hpp>
 #include <rt/two_way_path.hpp>
+#include <rt/wide_builder.hpp>
 
 namespace light {
 
@@ -27,7 +29,7 @@ inline View plates_view() {
 struct PlatesScene {
     Camera camera;
     MaterialSet<Lambertian, Lobe> materials;
-    Aggregate<decltype(make_wide_tree(std::vector<SceneSphere>{})), MeshWorld> world;
+    Aggregate<decltype(make_wide_tree(std::vector<SceneSphere>{})), TriangleTree> world;
     GradientSky sky{};
     WayLights lights;
     NoFog fog{};
@@ -40,7 +42,7 @@ struct PlatesScene {
     struct Shapes {
         std::vector<SceneSphere> spheres;
         std::vector<Light> lights;
-        SceneMeshes meshes;
+        std::vector<SceneTriangle> triangles;
         MaterialSet<Lambertian, Lobe> materials;
 
         Shapes() {
@@ -70,7 +72,6 @@ struct PlatesScene {
             }
             add_square(1, {0, Real(-4.6), 0}, {0, 0, 20}, {20, 0, 0});  // the floor
             add_square(1, {0, 0, Real(-2.5)}, {20, 0, 0}, {0, 20, 0});  // the wall
-            meshes.make_copies();
         }
         void add_lamp(const Sphere& shape, Color radiance) {
             const auto number = static_cast<int>(lights.size());
@@ -78,11 +79,10 @@ struct PlatesScene {
             spheres.push_back({shape, 0, number});
         }
         void add_square(int material, Vec3 middle, Vec3 across, Vec3 up) {
-            Mesh mesh;
-            mesh.points = {middle - across - up, middle + across - up, middle + across + up,
-                           middle - across + up};
-            mesh.triangles = {{Corner{0}, Corner{1}, Corner{2}}, {Corner{0}, Corner{2}, Corner{3}}};
-            meshes.add(mesh, Mat4{}, material);
+            const Vec3 a = middle - across - up, c = middle + across + up;
+            for (const Triangle& half :
+                 {Triangle{a, middle + across - up, c}, Triangle{a, c, middle - across + up}})
+                triangles.push_back({half, material, static_cast<int>(triangles.size())});
         }
     };
 
@@ -90,8 +90,7 @@ struct PlatesScene {
                 const Shapes& shapes)
         : camera{make_camera(scene.camera.view, width, height)},
           materials{shapes.materials},
-          world{make_wide_tree(shapes.spheres),
-                MeshWorld{std::make_shared<const SceneMeshes>(shapes.meshes)}},
+          world{make_wide_tree(shapes.spheres), make_wide_tree(shapes.triangles)},
           lights{{shapes.lights, {}}, ways} {}
 };
 
