@@ -1,6 +1,6 @@
 #pragma once
 // What draws scenes with meshes by chapter 11's ways. There is only one renderer for such scenes,
-// with all effects, because more renderers would take minutes to compile.
+// with all effects, because more renderers would take longer to compile.
 
 #include <memory>
 #include <rt/draw_by_tiles.hpp>
