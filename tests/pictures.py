@@ -565,7 +565,7 @@ RECIPES = {
     "14-dusk": lambda: draw("renderer_solution", 640, 320, "chapters/14_light/scenes/dusk.json", "--spp", "144"),
     **{f"14-sun-{ways}": lambda ways=ways: draw("14_light_solution", 400, 200, "--scene", "sun", "--ways", ways)
        for ways in ("bounces", "samples")},
-    "14-evening": written("14_light/scenes/evening", 480, 300, "--spp", "256", "--sampler", "sobol", "--exposure", "0.3"),
+    "14-evening": written("14_light/scenes/evening", 640, 400, "--spp", "256", "--sampler", "sobol", "--exposure", "0.3"),
     "14-rough": lambda: draw("renderer_solution", 640, 240, "chapters/14_light/scenes/rough.json", "--spp", "144"),
     **{f"14-plates-{ways}": lambda ways=ways: draw("14_light_solution", 400, 267, "--scene", "plates", "--spp", "16",
                                                    "--ways", ways) for ways in ("samples", "bounces", "balance", "power")},
