@@ -30,6 +30,15 @@ struct Scene {
     SceneMeshes meshes;
 };
 
+// Adds a polygon with four corners to a mesh, as two triangles.
+using Four = std::array<Vec3, 4>;
+inline void add_four(Mesh& mesh, const Four& corners) {
+    const auto first = static_cast<int>(mesh.points.size());
+    mesh.points.insert(mesh.points.end(), corners.begin(), corners.end());
+    mesh.triangles.push_back({Corner{first}, Corner{first + 1}, Corner{first + 2}});
+    mesh.triangles.push_back({Corner{first}, Corner{first + 2}, Corner{first + 3}});
+}
+
 // The box of Cornell University, in millimeters, as it stood there: x leads to the left as the
 // camera sees it. Its ceiling has a hole, which the lamp fills.
 // Source: as in cornell_spectra.hpp; Goral, Torrance, Greenberg and Battaile, "Modeling the
@@ -44,11 +53,9 @@ inline Scene make_cornell(const View& view) {
         Lambertian{paint_color(white_paint)}, Lambertian{paint_color(green_paint)},
         Lambertian{paint_color(red_paint)}, Emitter{Real(2.5) * balanced_lamp()}};
 
-    using Four = std::array<Vec3, 4>;
     const auto add = [&](int material, const Four& corners) {
         Mesh mesh;
-        mesh.points.assign(corners.begin(), corners.end());
-        mesh.triangles = {{Corner{0}, Corner{1}, Corner{2}}, {Corner{0}, Corner{2}, Corner{3}}};
+        add_four(mesh, corners);
         scene.meshes.add(mesh, Mat4{}, material);
     };
     const Real high = Real(548.8), deep = Real(559.2);

@@ -32,23 +32,22 @@ inline Scene make_streets(const View& view) {
         description.materials.push_back(Emitter{Real(150) * from_hex(color)});
 
     Mesh square;
-    square.points = {{-100, 0, -100}, {-100, 0, 100}, {100, 0, 100}, {100, 0, -100}};
-    square.triangles = {{Corner{0}, Corner{1}, Corner{2}}, {Corner{0}, Corner{2}, Corner{3}}};
+    add_four(square, {{{-100, 0, -100}, {-100, 0, 100}, {100, 0, 100}, {100, 0, -100}}});
     scene.meshes.add(square, Mat4{}, ground);
 
     Rng random{14, 5};
     const auto add_house = [&](Vec3 at, Vec3 half, int material) {
         Mesh house;
-        for (const Real y : {Real(0), half.y})
-            for (const Vec2 corner : {Vec2{-1, -1}, {-1, 1}, {1, 1}, {1, -1}})
-                house.points.push_back(at + Vec3{corner.x * half.x, y, corner.y * half.z});
-        for (int i = 0; i < 4; ++i) {
-            const int next = (i + 1) % 4;
-            house.triangles.push_back({Corner{i}, Corner{next}, Corner{4 + next}});
-            house.triangles.push_back({Corner{i}, Corner{4 + next}, Corner{4 + i}});
+        Four foot;
+        for (std::size_t i = 0; i < 4; ++i)
+            foot[i] = at + Vec3{i < 2 ? -half.x : half.x, 0, i % 3 == 0 ? -half.z : half.z};
+        Four roof = foot;
+        for (Vec3& corner : roof) corner.y += half.y;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const std::size_t next = (i + 1) % 4;
+            add_four(house, {foot[i], foot[next], roof[next], roof[i]});
         }
-        house.triangles.push_back({Corner{4}, Corner{5}, Corner{6}});
-        house.triangles.push_back({Corner{4}, Corner{6}, Corner{7}});
+        add_four(house, roof);
         scene.meshes.add(house, Mat4{}, material);
     };
     for (int row = 0; row < 100; ++row)
