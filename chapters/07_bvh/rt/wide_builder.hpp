@@ -8,6 +8,7 @@
 #include <rt/binned_split.hpp>
 #include <rt/bounds.hpp>
 #include <rt/build.hpp>
+#include <rt/wide_cut.hpp>
 #include <rt/wide_tree.hpp>
 #include <vector>
 
@@ -57,32 +58,20 @@ WideChild add_wide_leaf(WideTreeOf<Shape, Number>& wide, const std::vector<Shape
 // Adds the wide node that replaces a binary node, and everything below it.
 template <class Shape, class Number>
 WideChild add_wide_node(WideTreeOf<Shape, Number>& wide, const std::vector<Shape>& all,
-                        std::span<const int> order, const TreeNode& top) {
-    // Of the nodes in `parts`, the inner node with the largest box is met most often. Its two
-    // children replace it, until there are eight nodes or all are leaves.
-    std::vector<const TreeNode*> parts{&top};
-    while (parts.size() < lanes) {
-        const TreeNode** largest = nullptr;
-        for (const TreeNode*& part : parts)
-            if (!part->is_leaf() &&
-                (!largest || surface_area(part->box) > surface_area((*largest)->box)))
-                largest = &part;
-        if (!largest) break;
-        const TreeNode& split = **largest;
-        *largest = split.left.get();
-        parts.push_back(split.right.get());
-    }
-
+                        std::span<const int> order, const WideCut& cut, WideCut::Numbered top) {
+    const auto children = cut.children(top);
     const std::size_t place = wide.nodes.size();
     wide.nodes.emplace_back();
     WideNode<Number> node;  // not a reference: the list moves as it grows
     // Only a ray that is not finite, or whose origin is too large for Number, meets the empty box
     // of an unused lane. It then also tests the first leaf, which always exists; that is harmless.
     for (std::size_t i = 0; i < lanes; ++i) node.set(i, Box{}, WideChild::leaf(0));
-    for (std::size_t i = 0; i < parts.size(); ++i)
-        node.set(i, parts[i]->box,
-                 parts[i]->is_leaf() ? add_wide_leaf(wide, all, order, *parts[i])
-                                     : add_wide_node(wide, all, order, *parts[i]));
+    for (std::size_t i = 0; i < children.size(); ++i) {
+        const TreeNode& child = *children[i].node;
+        node.set(i, child.box,
+                 child.is_leaf() ? add_wide_leaf(wide, all, order, child)
+                                 : add_wide_node(wide, all, order, cut, children[i]));
+    }
     wide.nodes[place] = node;
     return WideChild::node(static_cast<std::int32_t>(place));
 }
@@ -138,7 +127,7 @@ WideTreeOf<Shape, Number> make_wide_tree(const std::vector<Shape>& shapes, const
     const std::size_t leaves = leaves_below(*root);
     wide.leaves.reserve(leaves);
     wide.nodes.reserve(leaves / 3 + 1);  // rarely more are needed
-    add_wide_node(wide, shapes, order, *root);
+    add_wide_node(wide, shapes, order, WideCut{*root, leaves}, {root.get(), 0});
     return wide;
 }
 

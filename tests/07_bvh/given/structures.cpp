@@ -202,6 +202,79 @@ TEST_CASE("an 8-wide tree holds every sphere once and its boxes contain it", "[g
     }
 }
 
+namespace {
+
+void add_inner(const rt::TreeNode& node, std::vector<const rt::TreeNode*>& inner) {
+    if (node.is_leaf()) return;
+    inner.push_back(&node);
+    add_inner(*node.left, inner);
+    add_inner(*node.right, inner);
+}
+
+// How many children a wide node has that replaces this one, if those in `wide` become wide nodes.
+int children_if(const rt::TreeNode& node, const std::vector<const rt::TreeNode*>& wide) {
+    int count = 0;
+    for (const rt::TreeNode* child : {node.left.get(), node.right.get()})
+        count += child->is_leaf() || std::find(wide.begin(), wide.end(), child) != wide.end()
+                     ? 1
+                     : children_if(*child, wide);
+    return count;
+}
+
+// The smallest area of wide nodes of all ways to choose them: the root, and any others.
+float least_area(const std::vector<const rt::TreeNode*>& inner) {
+    float least = std::numeric_limits<float>::infinity();
+    for (unsigned others = 0; others < 1u << (inner.size() - 1); ++others) {
+        std::vector<const rt::TreeNode*> wide{inner[0]};
+        for (std::size_t i = 1; i < inner.size(); ++i)
+            if (others >> (i - 1) & 1) wide.push_back(inner[i]);
+        float area = 0;
+        bool fit = true;
+        for (const rt::TreeNode* node : wide) {
+            area += static_cast<float>(rt::surface_area(node->box));
+            fit = fit && children_if(*node, wide) <= static_cast<int>(rt::lanes);
+        }
+        if (fit) least = std::min(least, area);
+    }
+    return least;
+}
+
+// The area of the wide nodes from this one on, and how many leaves they have.
+float area_of(const rt::WideCut& cut, rt::WideCut::Numbered top, int& leaves) {
+    auto area = static_cast<float>(rt::surface_area(top.node->box));
+    const auto children = cut.children(top);
+    REQUIRE(children.size() <= rt::lanes);
+    for (const auto& child : children)
+        if (child.node->is_leaf())
+            ++leaves;
+        else
+            area += area_of(cut, child, leaves);
+    return area;
+}
+
+}  // namespace
+
+TEST_CASE("no other choice of wide nodes has a smaller area", "[given][wide]") {
+    for (int count = 2; count <= 14; ++count)
+        for (int round = 0; round < 10; ++round) {
+            const Spheres spheres = random_spheres(count, round);
+            // Trees of all shapes, down to leaves of one sphere.
+            rt::Rng rng{79, static_cast<std::uint64_t>(round)};
+            const rt::SphereTree tree =
+                rt::make_tree(spheres, [&](std::span<int> order, std::span<const Box>) {
+                    return order.size() < 2 ? 0 : 1 + static_cast<int>(rng() % (order.size() - 1));
+                });
+            std::vector<const rt::TreeNode*> inner;
+            add_inner(*tree.root, inner);
+            const auto leaves = inner.size() + 1;
+            int found = 0;
+            const float area = area_of({*tree.root, leaves}, {tree.root.get(), 0}, found);
+            INFO(count << " spheres, tree " << round);
+            CHECK(found == static_cast<int>(leaves));
+            CHECK(area == Approx(inner.empty() ? area : least_area(inner)));
+        }
+}
+
 TEST_CASE("a wide tree is searched as fast as if all its nodes were split exactly",
           "[given][wide]") {
     for (const int count : {50, 1000, 10'000}) {
