@@ -16,9 +16,9 @@ namespace rt {
 template <class Shape>
 struct WideLeaf {
     using ReadyRay = Ray;  // a Ray with what the leaves' tests need of it, computed once
-    // Whether a search asks for leaves before it needs them, and tests the shapes in them rather
-    // than by their numbers. It pays in large trees, and costs time in small ones.
-    static constexpr bool is_read_ahead = false;
+    // How many bytes of a node or a leaf a search asks for before it needs them. If any, it also
+    // tests the shapes in the leaves, rather than by their numbers. It pays in large trees.
+    static constexpr std::size_t read_ahead = 0;
     Lanes<Shape> shapes{};
     Lanes<std::int32_t> number{};  // of each shape in the scene
     std::size_t count = 0;
@@ -36,7 +36,7 @@ struct WideLeaf {
 template <>
 struct alignas(64) WideLeaf<SceneSphere> {
     using ReadyRay = Ray;
-    static constexpr bool is_read_ahead = false;
+    static constexpr std::size_t read_ahead = 0;
     static constexpr Real nothing = std::numeric_limits<Real>::quiet_NaN();
 
     // Unused lanes have NaN as their radius: no ray hits them.

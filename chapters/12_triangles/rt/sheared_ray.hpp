@@ -1,6 +1,6 @@
 #pragma once
+#include <array>
 #include <cmath>
-#include <rt/box.hpp>
 #include <rt/ray.hpp>
 
 namespace rt {
@@ -17,19 +17,28 @@ struct ShearedRay {
 
     explicit ShearedRay(const Ray& ray) : origin{ray.origin} {
         const Vec3 d = ray.direction, size = abs(d);
-        z = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        x = (z + 1) % 3;
-        y = (z + 2) % 3;
-        shear_x = along(d, x) / along(d, z);
-        shear_y = along(d, y) / along(d, z);
-        per_length = 1 / along(d, z);
+        // The longest axis is different from ray to ray, so the processor would often guess a
+        // branch wrong: all choices here are made by counting, and by places in a list.
+        const bool is_x = (size.x >= size.y) & (size.x >= size.z);
+        z = !is_x * (1 + !(size.y >= size.z));
+        constexpr std::array<int, 5> axis{0, 1, 2, 0, 1};
+        x = axis[static_cast<std::size_t>(z + 1)];
+        y = axis[static_cast<std::size_t>(z + 2)];
+        shear_x = component(d, x) / component(d, z);
+        shear_y = component(d, y) / component(d, z);
+        per_length = 1 / component(d, z);
     }
 
     Vec3 seen(Vec3 point) const {
         const Vec3 from_origin = point - origin;
-        const Real ahead = along(from_origin, z);
-        return {along(from_origin, x) - shear_x * ahead, along(from_origin, y) - shear_y * ahead,
-                per_length * ahead};
+        const Real ahead = component(from_origin, z);
+        return {component(from_origin, x) - shear_x * ahead,
+                component(from_origin, y) - shear_y * ahead, per_length * ahead};
+    }
+
+  private:
+    static Real component(const Vec3& v, int axis) {
+        return std::array<Real, 3>{v.x, v.y, v.z}[static_cast<std::size_t>(axis)];
     }
 };
 

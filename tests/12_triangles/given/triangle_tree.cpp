@@ -23,6 +23,26 @@ Nearest of_list(const std::vector<SceneTriangle>& all, const Ray& ray, Interval 
     return nearest;
 }
 
+// Triangles in a cube, many of them odd.
+std::vector<SceneTriangle> odd_triangles(int count, Real size, rt::Rng& rng) {
+    std::vector<SceneTriangle> all;
+    for (int i = 0; i < count; ++i) {
+        Triangle shape = placed(plain_triangle(rng), Real(0.4) * size, size * in_cube(rng));
+        if (i % 4 == 0) shape.c = shape.a + Real(1e-3) * (shape.c - shape.a);  // a needle
+        if (i % 5 == 0) shape.a.y = shape.b.y = shape.c.y;                     // a flat box
+        if (i % 7 == 0 && i > 0) shape = all[rng() % all.size()].shape;        // coplanar
+        if (i % 11 == 0) shape.c = shape.b;                                    // no area
+        all.push_back({shape, i % 3, i});
+    }
+    return all;
+}
+Ray ray_to_one_of(const std::vector<SceneTriangle>& all, int i, Real size, rt::Rng& rng) {
+    const Triangle& at = all[rng() % all.size()].shape;
+    const Vec3 from = i % 3 == 0 ? at.a : 2 * size * in_cube(rng);
+    const Vec3 aim = i % 2 == 0 ? at.b : point_of(at, Real(0.3), Real(0.3));
+    return {from, aim == from ? Vec3{1, 0, 0} : aim - from};
+}
+
 void check_tree(const std::vector<SceneTriangle>& all, const std::vector<Ray>& rays) {
     const rt::TriangleTree tree = rt::make_wide_tree(all);
     for (const Ray& ray : rays) {
@@ -48,24 +68,45 @@ TEST_CASE("the wide tree of triangles finds what a list finds to the last bit") 
     rt::Rng rng{12, 20};
     for (int round = 0; round < 60; ++round) {
         const Real size = any_size(rng, -9, 9);
-        std::vector<SceneTriangle> all;
-        for (int i = 0; i < 200; ++i) {
-            Triangle shape = placed(plain_triangle(rng), Real(0.4) * size, size * in_cube(rng));
-            if (i % 4 == 0) shape.c = shape.a + Real(1e-3) * (shape.c - shape.a);  // a needle
-            if (i % 5 == 0) shape.a.y = shape.b.y = shape.c.y;                     // a flat box
-            if (i % 7 == 0 && i > 0) shape = all[rng() % all.size()].shape;        // coplanar
-            if (i % 11 == 0) shape.c = shape.b;                                    // no area
-            all.push_back({shape, i % 3, i});
-        }
+        const std::vector<SceneTriangle> all = odd_triangles(200, size, rng);
         std::vector<Ray> rays;
-        for (int i = 0; i < 300; ++i) {
-            const Triangle& at = all[rng() % all.size()].shape;
-            const Vec3 from = i % 3 == 0 ? at.a : 2 * size * in_cube(rng);
-            const Vec3 aim = i % 2 == 0 ? at.b : point_of(at, Real(0.3), Real(0.3));
-            rays.push_back({from, aim == from ? Vec3{1, 0, 0} : aim - from});
-        }
+        for (int i = 0; i < 300; ++i) rays.push_back(ray_to_one_of(all, i, size, rng));
         check_tree(all, rays);
     }
+}
+
+TEST_CASE("a leaf keeps a triangle that is hit at an end of the interval") {
+    rt::Rng rng{12, 21};
+    int kept = 0, beyond = 0, left_out = 0;
+    for (int round = 0; round < 40'000; ++round) {
+        const Real size = any_size(rng, -12, 12);
+        const std::vector<SceneTriangle> all = odd_triangles(rt::lanes, size, rng);
+        rt::TriangleLeaf leaf;
+        for (const SceneTriangle& one : all)
+            leaf.set(static_cast<std::size_t>(one.number), one, one.number);
+        const rt::TriangleRay ray{ray_to_one_of(all, round, size, rng)};
+        for (const SceneTriangle& one : all) {
+            const auto hit = rt::hit_triangle(one.shape, ray, {-rt::infinity, rt::infinity});
+            if (!hit) continue;
+            const Real t = hit->t;
+            const auto may_meet = [&](Interval within) {
+                return (rt::may_meet(leaf, ray, within) >> one.number & 1) != 0;
+            };
+            for (const Interval& within :
+                 {Interval{t, t}, {t, rt::infinity}, {-rt::infinity, t}, {t, 2 * std::abs(t)}}) {
+                INFO(text(one.shape) << ", " << text(ray) << ": hit at " << text(t));
+                REQUIRE(may_meet(within));
+                ++kept;
+            }
+            if (t == 0) continue;
+            ++beyond;
+            left_out += !may_meet({t + std::abs(t) / 16, rt::infinity}) &&
+                        !may_meet({-rt::infinity, t - std::abs(t) / 16});
+        }
+    }
+    CHECK(kept > 80'000);
+    INFO(left_out << " of " << beyond << " hits beyond the interval are left out");
+    CHECK(left_out > beyond * 0.9);
 }
 
 TEST_CASE("several threads build the tree that one thread builds") {
