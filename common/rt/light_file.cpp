@@ -211,7 +211,7 @@ std::string encode_hdr(const Image& image) {
 }
 
 std::string encode_pfm(const Image& image) {
-    constexpr double most = std::numeric_limits<float>::max();
+    constexpr auto most = static_cast<double>(std::numeric_limits<float>::max());
     const std::vector<float> floats = to_floats(image, -most, most);
     // The minus sign says that the lowest byte of a number comes first.
     std::string file =

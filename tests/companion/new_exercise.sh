@@ -6,7 +6,7 @@ COURSE_TEST_FOLDER=$(mktemp -d)
 export COURSE_TEST_FOLDER
 trap 'rm -rf "$COURSE_TEST_FOLDER"' EXIT
 cd "$2"
-tar -cf - .clang-format course.json CMakeLists.txt CMakePresets.json chapters cmake common companion docs exercises solutions tests |
+tar --exclude=node_modules -cf - .clang-format book course.json CMakeLists.txt CMakePresets.json chapters cmake common companion docs exercises solutions tests |
     tar -xf - -C "$COURSE_TEST_FOLDER"
 cd "$COURSE_TEST_FOLDER"
 next=$(($(grep -c '"id": "00\.' course.json) + 1)) # of chapter 00, which is not checked in float

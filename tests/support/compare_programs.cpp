@@ -14,13 +14,23 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// On a busy machine a program may be stopped for being slow: then this tries again.
+companion::Comparison patiently(const companion::TwoPrograms& pair, std::uint64_t start = 1) {
+    for (int i = 0; i < 5; ++i) try {
+            return companion::compare(pair, start);
+        } catch (const companion::DrawingFailed& failed) {
+            if (!failed.result.timed_out) throw;
+        }
+    return companion::compare(pair, start);
+}
+
 int differ(const char* mine, const char* solution) {
     const auto start = Clock::now();
     const auto seconds = [&] {
         return std::chrono::duration<double>(Clock::now() - start).count();
     };
     try {
-        const auto found = companion::compare(companion::two_programs(mine, solution));
+        const auto found = patiently(companion::two_programs(mine, solution));
         std::printf("%s, %.1f s\n", found.same ? "THE SAME" : "different", seconds());
         for (const std::string& line : found.words()) std::printf("  %s\n", line.c_str());
         return found.same ? 1 : 0;
@@ -29,16 +39,6 @@ int differ(const char* mine, const char* solution) {
         std::printf("%s: %s, %.1f s\n", started ? "different" : "FAILED", failed.what(), seconds());
         return started ? 0 : 1;
     }
-}
-
-// On a busy machine a program may be stopped for being slow: then this tries again.
-companion::Comparison patiently(const companion::TwoPrograms& pair, std::uint64_t start) {
-    for (int i = 0; i < 5; ++i) try {
-            return companion::compare(pair, start);
-        } catch (const companion::DrawingFailed& failed) {
-            if (!failed.result.timed_out) throw;
-        }
-    return companion::compare(pair, start);
 }
 
 int alarms(int runs, int count, char** programs) {

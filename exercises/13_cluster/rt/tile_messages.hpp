@@ -25,7 +25,7 @@ class TileSender {
     // number as the tag, and returns at once. Keeps the pixels in messages_ until they have been
     // sent.
     // Star: forget the messages that have been sent.
-    void send(int tile, std::vector<Color> pixels) { rt::todo("13.3", tile, pixels); }
+    void send(int tile, std::vector<Color> pixels) { rt::todo("13.3", tile, pixels, ranks_); }
 
     // Exercise 13.3. Waits until all messages have been sent, and then forgets them.
     void finish() { rt::todo("13.3"); }

@@ -650,14 +650,14 @@ TEST_CASE("an image moves with a sphere that is turned, stretched or mirrored", 
             {"center": [5, 0, 0], "radius": 2, "scale": [1, 0.25, 1], "material": "m"},
             {"matrix": [[-1, 0, 0, 3], [0, 1, 0, 0], [0, 0, 1, 0]], "material": "m"}]})",
         "s.json", folder.path());
-    const auto materials =
+    const auto prepared =
         rt::prepare_materials<rt::MaterialSet<rt::Lambertian, rt::ImageMatte>>(scene).materials;
     // The image at the place of sphere i whose normal in the world is this one.
     const auto color = [&](std::size_t i, Vec3 normal) {
         rt::Hit hit;
         hit.normal = normalize(normal);
         const auto material = static_cast<std::size_t>(scene.spheres[i].material);
-        return albedo_at(std::get<rt::ImageMatte>(materials[material]), hit);
+        return albedo_at(std::get<rt::ImageMatte>(prepared[material]), hit);
     };
     for (const Vec3 n : {Vec3{1, 2, 10}, {10, 3, 1}, {3, -7, 5}}) {
         // At 90 degrees about y, z goes to x, and x to -z.

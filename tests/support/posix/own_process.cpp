@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 
 #include "processor_time.hpp"
@@ -23,10 +24,25 @@ double seconds_of(clockid_t clock) {
     return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Notices that a process has computed next to nothing for 3 seconds.
+// The letter by which Linux says what the first thread of a process does, such as R: it computes,
+// or it would if a processor were free. 0 if that is not known.
+char state_of(pid_t process) {
+    char text[128] = {};
+    const std::string name = "/proc/" + std::to_string(process) + "/stat";
+    if (std::FILE* const file = std::fopen(name.c_str(), "r")) {
+        if (std::fread(text, 1, sizeof text - 1, file) == 0) text[0] = 0;
+        std::fclose(file);
+    }
+    // The number, the program's name in parentheses, the letter.
+    const char* const end = std::strrchr(text, ')');
+    return end && end[1] == ' ' ? end[2] : '\0';
+}
+
+// Notices that a process has computed next to nothing for 3 seconds, although it could have: on a
+// machine that has too much to do, it may wait as long for a processor (R) or for a disk (D).
 class Idleness {
   public:
-    explicit Idleness(pid_t process) {
+    explicit Idleness(pid_t process) : process_{process} {
 #ifdef __linux__  // elsewhere, nobody can read the clock of another process
         has_clock_ = clock_getcpuclockid(process, &clock_) == 0;
 #endif
@@ -36,13 +52,16 @@ class Idleness {
         const double now = seconds_of(CLOCK_MONOTONIC);
         if (!has_clock_ || now - looked_ < 0.2) return false;
         const double computed = seconds_of(clock_);
-        idle_looks_ = computed - computed_ < 0.01 ? idle_looks_ + 1 : 0;
+        const char state = state_of(process_);
+        const bool idle = computed - computed_ < 0.01 && state != 'R' && state != 'D';
+        idle_looks_ = idle ? idle_looks_ + 1 : 0;
         looked_ = now;
         computed_ = computed;
         return idle_looks_ > 12;
     }
 
   private:
+    pid_t process_;
     clockid_t clock_{};
     bool has_clock_ = false;
     int idle_looks_ = 0;
