@@ -6,6 +6,8 @@
                                         says which committed picture is not what its command draws now, by a few samples
                                         in each pixel; with --first, only README's and the core chapters' first ones;
                                         with --exactly, by all of its samples
+    tests/pictures.py --noise BUILD [NAME...]
+                                        says how noisy a picture is; below 2.5 of 255, few people see it
     tests/pictures.py --check           says which committed picture has no command, which is wider than it is shown, and
                                         which drawing has no colors for dark pages or letters that are too small on a phone
 
@@ -30,7 +32,7 @@ import tempfile
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-IMAGES = ROOT / "docs/images"
+IMAGES, PLOTS = ROOT / "docs/images", ROOT / "docs/plots"
 PAGE = 800  # pixels: the width of a page's text. A picture in a table has half of it
 PHONE = 350  # pixels: the same on a phone of 390
 
@@ -251,6 +253,7 @@ def write_png(path, picture, few_colors):
 
 build = folder = None
 few_samples = None  # in a pixel, where a picture is only compared
+seed = ()  # the option, where the same picture is drawn with other random numbers
 enough = True  # whether the last picture had all its samples
 drawn = {}  # by a program and its options
 
@@ -258,6 +261,7 @@ drawn = {}  # by a program and its options
 def draw(program, width, height, *options, mistake=None):
     """What a program of the build draws; with a mistake, or several with a + between them, built with it first."""
     options = [*options, "--quiet", "--width", str(width), "--height", str(height)]
+    options += () if re.match("0[0-3]_", program) else seed
     return run(built(program, mistake), *with_few_samples(program, options))
 
 
@@ -307,7 +311,7 @@ def own():
     scene, out = folder / "many.txt", folder / "picture.ppm"
     many = (build / "own_start/scenes/many.txt").read_text()
     scene.write_text(re.sub(r"^(picture \d+ \d+) \d+", rf"\1 {at_most(128)}", many, flags=re.M))
-    subprocess.run([build / "bin/09_own_solution", scene, out], check=True)
+    subprocess.run([build / "bin/09_own_solution", scene, out, *seed], check=True)
     return read_ppm(out)
 
 
@@ -325,7 +329,7 @@ def own_mistake(mistake):
         start = (ROOT / "chapters/09_own/start/scenes/three.txt").read_text()
         scene.write_text(re.sub(r"^picture .*", f"picture 400 225 {at_most(400)} 50", start, flags=re.M))
         subprocess.run(["c++", "-std=c++20", "-O3", "-pthread", source, "-o", program], check=True)
-        subprocess.run([program, scene, out], check=True)
+        subprocess.run([program, scene, out, *seed], check=True)
         return read_ppm(out)
     return picture
 
@@ -402,7 +406,7 @@ def poster():
     out = folder / "poster.ppm"
     subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "8", build / "bin/13_cluster_solution",
                     "--threads", "1", "--width", "800", "--height", "450", "--tile", "25", "--tint", "--spp", "256",
-                    "--out", out], check=True)
+                    "--out", out, *seed], check=True)
     return read_ppm(out)
 
 
@@ -578,7 +582,7 @@ RECIPES = {
     "13-poster": poster,
     "13-turntable": turntable,
     "final": lambda: draw("08_effects_solution", 1280, 720, "--spp", "1024"),
-    "overview": lambda: run(built("lake"), *with_few_samples("lake", ["--spp", "256"])),
+    "overview": lambda: run(built("lake"), *with_few_samples("lake", ["--spp", "256", *seed])),
     "04-ending-sky": ending("sky"),
     "04-ending-black": ending("black"),
     "04-ending-roulette": ending("roulette"),
@@ -697,13 +701,15 @@ def faults_of_drawing(svg):
     []
     >>> len(faults_of_drawing(drawing % ("", 20)))
     2
+    >>> faults_of_drawing('<svg viewBox="0 0 520 9"><style>.plot{font:13px sans-serif}</style></svg>')
+    ['letters of 8.8 pixels on a phone, 9 is the least']
     """
     style = "".join(re.findall(r"<style>@media\(prefers-color-scheme:dark\).*?</style>", svg, re.S))
     named = {f'[{what}="{color}"]' for what, color in re.findall(r' (fill|stroke|stop-color)="(#\w+)"', svg)}
     without = sorted(rule for rule in named if rule not in style)
     faults = [f"{without[0]} has no color for dark pages: node book/dark.mjs"] if without else []
-    shown = min(1, PHONE / float(re.search(r'viewBox="\S+ \S+ (\S+)', svg)[1]))
-    least = min(map(float, re.findall(r'font-size="([\d.]+)"', svg)), default=16)
+    shown = min(1, PHONE / float(re.search(r'viewBox=.\S+ \S+ (\S+)', svg)[1]))
+    least = min(map(float, re.findall(r'font(?:-size)?(?:="|:)([\d.]+)', svg)), default=16)
     return faults + ([f"letters of {least * shown:.1f} pixels on a phone, 9 is the least"] if least * shown < 9 else [])
 
 
@@ -722,7 +728,7 @@ def check():
                 wrong.append(f"{name}: no text shows it")
             elif file.stem not in LARGE and struct.unpack(">I", file.read_bytes()[16:20])[0] > widths[file]:
                 wrong.append(f"{name}: wider than the {widths[file]} pixels that it is shown with")
-        if file.parent == IMAGES and file.suffix == ".svg":
+        if file.parent in (IMAGES, PLOTS) and file.suffix == ".svg":
             wrong += [f"{name}: {why}" for why in faults_of_drawing(file.read_text(encoding="utf-8"))]
     present = {pathlib.Path(name).stem for name in files}
     wrong += [f"docs/images/{name}.png: is made by tests/pictures.py, but not there"
@@ -779,19 +785,56 @@ def compare(names, exactly):
     return 1 if wrong else 0
 
 
+SMALL = 8  # pixels: the squares that noise is measured in
+
+
+def blocks(picture):
+    """The bytes of each small square, row by row."""
+    for top in range(0, picture.height - SMALL + 1, SMALL):
+        for left in range(0, 3 * (picture.width - SMALL + 1), 3 * SMALL):
+            yield [row[left:left + 3 * SMALL] for row in picture.rows[top:top + SMALL]]
+
+
+def mean_difference(pairs):
+    differences = [abs(a - b) for a, b in pairs]
+    return sum(differences) / len(differences)
+
+
+def noise(names):
+    """How much two pictures with other random numbers differ at a pixel, of 255: in the flat half of the squares, and in
+    the noisiest tenth. Neighbors differ as much by their noise, but also by what the picture shows."""
+    global seed
+    for name in names:
+        pictures = []
+        for seed in ("--seed", "1"), ("--seed", "2"):
+            pictures.append(RECIPES[name]())
+        squares = sorted(
+            (mean_difference((row[i], row[i + 3]) for row in a for i in range(len(row) - 3)),
+             mean_difference(both for rows in zip(a, b) for both in zip(*rows)))
+            for a, b in zip(*map(blocks, pictures)))
+        flat, all_of_them = [n for _, n in squares[:(len(squares) + 1) // 2]], sorted(n for _, n in squares)
+        noisiest = all_of_them[-((len(squares) + 9) // 10):]
+        print(f"{name}: noise {sum(flat) / len(flat):.2f}, in the noisiest tenth {sum(noisiest) / len(noisiest):.2f}",
+              flush=True)
+    return 0
+
+
 def main(words):
     global build, folder
     if words == ["--check"]:
         return check() or doctest.testmod()[0]
     compared = words[:1] == ["--compare"]
+    measured = words[:1] == ["--noise"]
     first, exactly = (compared and words[1:2] == [option] for option in ("--first", "--exactly"))
-    words = words[compared + first + exactly:]
+    words = words[measured + compared + first + exactly:]
     if not words or words[0].startswith("-") or set(words[1:]) - set(RECIPES):
         print(__doc__, file=sys.stderr)
         return 2
     build = pathlib.Path(words[0]).resolve()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        if measured:
+            return noise(words[1:] or list(RECIPES))
         if compared:
             return compare(words[1:] or [name for name in RECIPES
                                          if FIRST.match(name) or not first and name not in NOT_COMPARED], exactly)
