@@ -16,8 +16,9 @@ brick_wall, lake and mistake_tool. Most pictures take less than a minute; those 
 
 Each picture is a line of RECIPES below: a program and its options, sometimes of a program with a known mistake, and
 what is done with the pixels. What is not made here is made by the commands in OTHERS. The texts' figures,
-docs/images/*.svg, are written by hand, but for a few stills of live figures. Pictures of mistakes and scenes have 256
-colors at most; a chapter's own picture has all of them, since a test compares it with what the program draws.
+docs/images/*.svg, are written by hand, but for a few stills of live figures. Most pictures of mistakes and
+scenes have 256 colors at most; a chapter's own picture has all of them, since a test compares it with what the program
+draws. As many samples are taken as bring --noise below 2.5, unless the noise is what a picture shows.
 """
 
 import doctest
@@ -47,7 +48,7 @@ OTHERS = {
 }
 # What one sees first; and what has more than 256 colors, which a soft gradient needs.
 FIRST = re.compile(r"0[0-57-9]_|final|overview")  # that of 06 needs all its samples, which takes long
-ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory-map|04-right|06-scene|08-haze|14-dusk|14-evening|14-rough")
+ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory|0[02]-mistake|04-right|06-scene|08-haze|14-(dusk|even|rough)")
 # To be hung up; shown as wide as the window.
 LARGE = {"final"}
 
@@ -191,14 +192,14 @@ def predicted(kind, left, up, corner):
 
 
 def palette_of(picture, most=256):
-    """Up to `most` colors and the one for each pixel's color: the box of colors with the widest spread is halved, again
-    and again, until there are enough."""
+    """Up to `most` colors: the box of colors with the widest spread is halved, again and again, until there are
+    enough."""
     count = {}
     for row in picture.rows:
         for i in range(0, len(row), 3):
             count[row[i:i + 3]] = count.get(row[i:i + 3], 0) + 1
     if len(count) <= most:
-        return sorted(count), {color: [color] for color in count}
+        return sorted(count)
 
     def spread(box):
         def variance(c):
@@ -214,11 +215,37 @@ def palette_of(picture, most=256):
         middle = sum(count[color] * color[axis] for color in box) / total
         for half in ([c for c in box if c[axis] <= middle], [c for c in box if c[axis] > middle]):
             boxes.append((spread(half), half))
-    means = {}
+    means = set()
     for _, box in boxes:
         total = sum(count[color] for color in box)
-        means[bytes(round(sum(count[k] * k[c] for k in box) / total) for c in range(3))] = box
-    return sorted(means), means
+        means.add(bytes(round(sum(count[k] * k[c] for k in box) / total) for c in range(3)))
+    return sorted(means)
+
+
+def dithered(picture, colors):
+    """Which of the colors each pixel gets. What it is off by, the pixels beside and below it make up for, so that a soft
+    gradient has no steps. Source: Floyd and Steinberg, "An adaptive algorithm for spatial greyscale", 1976."""
+    @functools.cache
+    def nearest(red, green, blue):
+        return min(((red - r) ** 2 + (green - g) ** 2 + (blue - b) ** 2, i) for i, (r, g, b) in enumerate(colors))[1]
+
+    rows, below = [], [0.0] * (3 * picture.width + 6)
+    for row in picture.rows:
+        here, below = below, [0.0] * len(below)
+        step = 3 if len(rows) % 2 == 0 else -3  # every other row from right to left, against patterns
+        chosen = bytearray(picture.width)
+        for x in range(picture.width)[::step // 3]:
+            # If no color makes up for what is missing, it must not add up until one from far away does.
+            wanted = [row[k] + min(8, max(-8, here[k + 3])) for k in range(3 * x, 3 * x + 3)]
+            chosen[x] = nearest(*map(round, wanted))
+            for k, (value, color) in enumerate(zip(wanted, colors[chosen[x]]), 3 * x + 3):
+                off = (value - color) / 16
+                here[k + step] += 7 * off
+                below[k - step] += 3 * off
+                below[k] += 5 * off
+                below[k + step] += off
+        rows.append(bytes(chosen))
+    return rows
 
 
 def write_png(path, picture, few_colors):
@@ -241,10 +268,8 @@ def write_png(path, picture, few_colors):
         return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra + chunk(b"IDAT", packed) + chunk(b"IEND", b"")
 
     if few_colors:
-        colors, boxes = palette_of(picture)
-        index = {color: i for i, mean in enumerate(colors) for color in boxes[mean]}
-        rows = [bytes(index[row[i:i + 3]] for i in range(0, len(row), 3)) for row in picture.rows]
-        path.write_bytes(encoded(rows, 3, chunk(b"PLTE", b"".join(colors))))
+        colors = palette_of(picture)
+        path.write_bytes(encoded(dithered(picture, colors), 3, chunk(b"PLTE", b"".join(colors))))
     else:
         path.write_bytes(encoded(picture.rows, 2))
 
@@ -336,7 +361,8 @@ def own_mistake(mistake):
 
 def of_mistake(name, mistake, width, height, times):
     """A chapter's picture with a mistake, drawn so many times as large."""
-    return lambda: draw(name + "_solution", times * width, times * height, mistake=mistake).shrunk(width, height)
+    samples = ("--spp", "225") if name == "04_normals_aa" else ()  # its small picture has other parts: none to shrink
+    return lambda: draw(name + "_solution", times * width, times * height, *samples, mistake=mistake).shrunk(width, height)
 
 
 def edited(name, file, before, after, among="solutions"):
@@ -392,7 +418,7 @@ def clay(scene, *edit):
 
 
 def glaze(mistake=None):
-    return lambda: draw("12_triangles_solution", 400, 225, "--at", "1,1.4,0", "--fov", "1.2", "--spp", "64",
+    return lambda: draw("12_triangles_solution", 400, 225, "--at", "1,1.4,0", "--fov", "1.2", "--spp", "169",
                         mistake=mistake)
 
 
@@ -410,14 +436,16 @@ def poster():
     return read_ppm(out)
 
 
-def threads_scene(mistake=None):
-    return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
+def threads_scene(mistake=None, samples="100"):
+    return lambda: draw("06_threads_solution", 480, 270, "--spp", samples, mistake=mistake).part(10, 10, 320, 180)
 
 
-SMALL_LIGHTS = {"fog", "galaxy", "lights", "motion", "planets"}
+# Small lights leave white dots in a small picture, and a lens noise.
+TIMES = {"lens": 2, **dict.fromkeys(("fog", "galaxy", "lights", "motion", "planets"), 3)}
 
 
-def effects_scene(scene, mistake=None, times=1):
+def effects_scene(scene, mistake=None):
+    times = TIMES.get(scene, 1)
     return lambda: draw("08_effects_solution", times * 320, times * 180, f"chapters/08_effects/scenes/{scene}.json",
                         mistake=mistake).shrunk(320)
 
@@ -441,7 +469,7 @@ def nan_as_black():
 
 
 def ending(name):
-    return lambda: draw("04_normals_aa_solution", 1600, 900, "--depth", "2", "--ending",
+    return lambda: draw("04_normals_aa_solution", 1600, 900, "--spp", "196", "--depth", "2", "--ending",
                         name).part(638, 452, 360, 240)
 
 
@@ -493,7 +521,7 @@ def equal_time(*options):
 
 def bounces():
     """A batch after so many bounces."""
-    a, b, c = (draw("10_batches_solution", 960, 540, "--depth", depth).part(30, 200, 264, 190)
+    a, b, c = (draw("10_batches_solution", 960, 540, "--spp", "144", "--depth", depth).part(30, 200, 264, 190)
                for depth in ("2", "3", "16"))
     return beside(beside(a, b, 4), c, 4)
 
@@ -560,7 +588,7 @@ RECIPES = {
     "12-mixed-pixels": glaze(),
     "12-forest": written("12_triangles/scenes/forest", 800, 450, "--spp", "16"),
     "12-boat": lambda: draw("renderer_solution", 640, 288, "chapters/12_triangles/scenes/boat.json", "--spp", "100"),
-    "14_light": chapter("14_light", 480, 480, "--spp", "144"),
+    "14_light": chapter("14_light", 480, 480, "--spp", "225"),
     "14-points": lambda: draw("14_light_solution", 800, 600, "--scene", "points").shrunk(400),
     "14-points-no-root": lambda: draw("14_light_solution", 800, 600, "--scene", "points",
                                       mistake="14.1_no_root").shrunk(400),
@@ -575,7 +603,7 @@ RECIPES = {
                                                    "--ways", ways) for ways in ("samples", "bounces", "balance", "power")},
     **{f"14-streets-{lamps}": lambda lamps=lamps: draw("14_light_solution", 400, 225, "--scene", "streets", "--spp", "16",
                                                        "--depth", "8", "--lamps", lamps) for lamps in ("list", "tree")},
-    "14-party": lambda: draw("14_light_solution", 480, 480, "--scene", "party", "--spp", "81"),
+    "14-party": lambda: draw("14_light_solution", 480, 480, "--scene", "party", "--spp", "289"),
     "14-party-evenly": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4",
                                     mistake="14.2_mean"),
     "14-party-by-power": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4"),
@@ -592,9 +620,9 @@ RECIPES = {
     "05-furnace": furnace,
     "06-slices-waiting": waiting(476),
     "06-tiles-waiting": waiting(558),
-    "05-mirror": metal_glass(1200, 675, "324", 0, 90, 250, 240),
+    "05-mirror": metal_glass(1200, 675, "225", 0, 90, 250, 240),
     "05-strip": metal_glass(800, 450, "64", 0, 325, 800, 125),
-    "05-glass": metal_glass(1200, 675, "324", 280, 235, 640, 250),
+    "05-glass": metal_glass(1200, 675, "400", 280, 235, 640, 250),
     "show": shown,
     "06-scene": threads_scene(),
     "07-boxes": lambda: draw("07_bvh_solution", 480, 270, "--show", "boxes"),
@@ -648,8 +676,7 @@ RECIPES = {
 }
 for scene in ("cover", "fog", "galaxy", "glass", "haze", "lens", "lights", "matte", "metal", "motion", "own", "planets",
               "textures"):
-    # Small lights leave white dots in a small picture.
-    RECIPES["08-scene-" + scene] = effects_scene(scene, times=3 if scene in SMALL_LIGHTS else 1)
+    RECIPES["08-scene-" + scene] = effects_scene(scene)
 for name, width, height, times, mistakes in (
         ("00_toolchain", 400, 225, 2, "00.2_across_is_down 00.2_whole_numbers 00.3_flips_twice 00.4_splits_off_one "
          "00.5_leads_into_the_old_chain"),
@@ -675,8 +702,9 @@ for name, width, height, times, mistakes in (
 # What stands beside the mistakes: the same picture, as large, without one.
 RECIPES["04-right-spheres"] = of_mistake("04_normals_aa", None, 360, 202, 1)
 RECIPES["07-right-galaxy"] = of_mistake("07_bvh", None, 400, 286, 2)
-for mistake in "06.3_forgets_the_rim 06.3_skips_the_first 06.4_neighbors_alike 06.4_ignores_sample".split():
-    RECIPES["06-mistake-" + mistake[5:]] = threads_scene(mistake)
+for mistake, samples in (("06.3_forgets_the_rim", "100"), ("06.3_skips_the_first", "100"),
+                         ("06.4_neighbors_alike", "16"), ("06.4_ignores_sample", "16")):  # these show their noise
+    RECIPES["06-mistake-" + mistake[5:]] = threads_scene(mistake, samples)
 
 
 # ---- The check -----------------------------------------------------------------------------------------------------
