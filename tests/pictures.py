@@ -46,9 +46,11 @@ OTHERS = {
     r"chapters/08_effects/scenes/planet\.png": "python3 chapters/08_effects/scenes/planet.py",
     r"tests/08_effects/fuzz/seeds/tiny\.png": "an input of a test, not a picture",
 }
-# What one sees first; and what has more than 256 colors, which a soft gradient needs.
+# What one sees first; and what has more than 256 colors, as a soft gradient needs, and a part that is shown enlarged, whose
+# squares dots of two colors would break up.
 FIRST = re.compile(r"0[0-57-9]_|final|overview")  # that of 06 needs all its samples, which takes long
-ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory|0[02]-mistake|04-right|06-scene|08-haze|14-(dusk|even|rough)")
+ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory|0[02]-mistake|04-right|06-scene|08-haze|"
+                        r"14-(dusk|even|rough)|11-(samplers|tent|errors|denoised)|accuracy|hard-quad")
 # To be hung up; shown as wide as the window.
 LARGE = {"final"}
 
