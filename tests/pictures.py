@@ -288,7 +288,7 @@ drawn = {}  # by a program and its options
 def draw(program, width, height, *options, mistake=None):
     """What a program of the build draws; with a mistake, or several with a + between them, built with it first."""
     options = [*options, "--quiet", "--width", str(width), "--height", str(height)]
-    options += () if re.match("0[0-3]_", program) else seed
+    options += () if re.match("0[0-3]_", pathlib.Path(program).name) else seed
     return run(built(program, mistake), *with_few_samples(program, options))
 
 
@@ -605,7 +605,7 @@ RECIPES = {
                                                    "--ways", ways) for ways in ("samples", "bounces", "balance", "power")},
     **{f"14-streets-{lamps}": lambda lamps=lamps: draw("14_light_solution", 400, 225, "--scene", "streets", "--spp", "16",
                                                        "--depth", "8", "--lamps", lamps) for lamps in ("list", "tree")},
-    "14-party": lambda: draw("14_light_solution", 480, 480, "--scene", "party", "--spp", "289"),
+    "14-party": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "256"),
     "14-party-evenly": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4",
                                     mistake="14.2_mean"),
     "14-party-by-power": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4"),
