@@ -471,7 +471,7 @@ def nan_as_black():
 
 
 def ending(name):
-    return lambda: draw("04_normals_aa_solution", 1600, 900, "--spp", "196", "--depth", "2", "--ending",
+    return lambda: draw("04_normals_aa_solution", 1600, 900, "--depth", "2", "--ending",
                         name).part(638, 452, 360, 240)
 
 
@@ -622,9 +622,9 @@ RECIPES = {
     "05-furnace": furnace,
     "06-slices-waiting": waiting(476),
     "06-tiles-waiting": waiting(558),
-    "05-mirror": metal_glass(1200, 675, "225", 0, 90, 250, 240),
+    "05-mirror": metal_glass(1200, 675, "324", 0, 90, 250, 240),
     "05-strip": metal_glass(800, 450, "64", 0, 325, 800, 125),
-    "05-glass": metal_glass(1200, 675, "400", 280, 235, 640, 250),
+    "05-glass": metal_glass(1200, 675, "324", 280, 235, 640, 250),
     "show": shown,
     "06-scene": threads_scene(),
     "07-boxes": lambda: draw("07_bvh_solution", 480, 270, "--show", "boxes"),
