@@ -6,6 +6,8 @@
                                         says which committed picture is not what its command draws now, by a few samples
                                         in each pixel; with --first, only README's and the core chapters' first ones;
                                         with --exactly, by all of its samples
+    tests/pictures.py --noise BUILD [NAME...]
+                                        says how noisy a picture is; below 2.5 of 255, few people see it
     tests/pictures.py --check           says which committed picture has no command, which is wider than it is shown, and
                                         which drawing has no colors for dark pages or letters that are too small on a phone
 
@@ -14,8 +16,9 @@ brick_wall, lake and mistake_tool. Most pictures take less than a minute; those 
 
 Each picture is a line of RECIPES below: a program and its options, sometimes of a program with a known mistake, and
 what is done with the pixels. What is not made here is made by the commands in OTHERS. The texts' figures,
-docs/images/*.svg, are written by hand, but for a few stills of live figures. Pictures of mistakes and scenes have 256
-colors at most; a chapter's own picture has all of them, since a test compares it with what the program draws.
+docs/images/*.svg, are written by hand, but for a few stills of live figures. Most pictures of mistakes and
+scenes have 256 colors at most; a chapter's own picture has all of them, since a test compares it with what the program
+draws. As many samples are taken as bring --noise below 2.5, unless the noise is what a picture shows.
 """
 
 import doctest
@@ -30,7 +33,7 @@ import tempfile
 import zlib
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-IMAGES = ROOT / "docs/images"
+IMAGES, PLOTS = ROOT / "docs/images", ROOT / "docs/plots"
 PAGE = 800  # pixels: the width of a page's text. A picture in a table has half of it
 PHONE = 350  # pixels: the same on a phone of 390
 
@@ -43,9 +46,11 @@ OTHERS = {
     r"chapters/08_effects/scenes/planet\.png": "python3 chapters/08_effects/scenes/planet.py",
     r"tests/08_effects/fuzz/seeds/tiny\.png": "an input of a test, not a picture",
 }
-# What one sees first; and what has more than 256 colors, which a soft gradient needs.
+# What one sees first; and what has more than 256 colors, as a soft gradient needs, and a part that is shown enlarged, whose
+# squares dots of two colors would break up.
 FIRST = re.compile(r"0[0-57-9]_|final|overview")  # that of 06 needs all its samples, which takes long
-ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory-map|04-right|06-scene|08-haze|14-dusk|14-evening|14-rough")
+ALL_COLORS = re.compile(r"\d\d_|final|overview|show|00-memory|0[02]-mistake|04-right|06-scene|08-haze|"
+                        r"14-(dusk|even|rough)|11-(samplers|tent|errors|denoised)|accuracy|hard-quad")
 # To be hung up; shown as wide as the window.
 LARGE = {"final"}
 
@@ -189,14 +194,14 @@ def predicted(kind, left, up, corner):
 
 
 def palette_of(picture, most=256):
-    """Up to `most` colors and the one for each pixel's color: the box of colors with the widest spread is halved, again
-    and again, until there are enough."""
+    """Up to `most` colors: the box of colors with the widest spread is halved, again and again, until there are
+    enough."""
     count = {}
     for row in picture.rows:
         for i in range(0, len(row), 3):
             count[row[i:i + 3]] = count.get(row[i:i + 3], 0) + 1
     if len(count) <= most:
-        return sorted(count), {color: [color] for color in count}
+        return sorted(count)
 
     def spread(box):
         def variance(c):
@@ -212,11 +217,37 @@ def palette_of(picture, most=256):
         middle = sum(count[color] * color[axis] for color in box) / total
         for half in ([c for c in box if c[axis] <= middle], [c for c in box if c[axis] > middle]):
             boxes.append((spread(half), half))
-    means = {}
+    means = set()
     for _, box in boxes:
         total = sum(count[color] for color in box)
-        means[bytes(round(sum(count[k] * k[c] for k in box) / total) for c in range(3))] = box
-    return sorted(means), means
+        means.add(bytes(round(sum(count[k] * k[c] for k in box) / total) for c in range(3)))
+    return sorted(means)
+
+
+def dithered(picture, colors):
+    """Which of the colors each pixel gets. What it is off by, the pixels beside and below it make up for, so that a soft
+    gradient has no steps. Source: Floyd and Steinberg, "An adaptive algorithm for spatial greyscale", 1976."""
+    @functools.cache
+    def nearest(red, green, blue):
+        return min(((red - r) ** 2 + (green - g) ** 2 + (blue - b) ** 2, i) for i, (r, g, b) in enumerate(colors))[1]
+
+    rows, below = [], [0.0] * (3 * picture.width + 6)
+    for row in picture.rows:
+        here, below = below, [0.0] * len(below)
+        step = 3 if len(rows) % 2 == 0 else -3  # every other row from right to left, against patterns
+        chosen = bytearray(picture.width)
+        for x in range(picture.width)[::step // 3]:
+            # If no color makes up for what is missing, it must not add up until one from far away does.
+            wanted = [row[k] + min(8, max(-8, here[k + 3])) for k in range(3 * x, 3 * x + 3)]
+            chosen[x] = nearest(*map(round, wanted))
+            for k, (value, color) in enumerate(zip(wanted, colors[chosen[x]]), 3 * x + 3):
+                off = (value - color) / 16
+                here[k + step] += 7 * off
+                below[k - step] += 3 * off
+                below[k] += 5 * off
+                below[k + step] += off
+        rows.append(bytes(chosen))
+    return rows
 
 
 def write_png(path, picture, few_colors):
@@ -239,10 +270,8 @@ def write_png(path, picture, few_colors):
         return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + extra + chunk(b"IDAT", packed) + chunk(b"IEND", b"")
 
     if few_colors:
-        colors, boxes = palette_of(picture)
-        index = {color: i for i, mean in enumerate(colors) for color in boxes[mean]}
-        rows = [bytes(index[row[i:i + 3]] for i in range(0, len(row), 3)) for row in picture.rows]
-        path.write_bytes(encoded(rows, 3, chunk(b"PLTE", b"".join(colors))))
+        colors = palette_of(picture)
+        path.write_bytes(encoded(dithered(picture, colors), 3, chunk(b"PLTE", b"".join(colors))))
     else:
         path.write_bytes(encoded(picture.rows, 2))
 
@@ -251,6 +280,7 @@ def write_png(path, picture, few_colors):
 
 build = folder = None
 few_samples = None  # in a pixel, where a picture is only compared
+seed = ()  # the option, where the same picture is drawn with other random numbers
 enough = True  # whether the last picture had all its samples
 drawn = {}  # by a program and its options
 
@@ -258,6 +288,7 @@ drawn = {}  # by a program and its options
 def draw(program, width, height, *options, mistake=None):
     """What a program of the build draws; with a mistake, or several with a + between them, built with it first."""
     options = [*options, "--quiet", "--width", str(width), "--height", str(height)]
+    options += () if re.match("0[0-3]_", pathlib.Path(program).name) else seed
     return run(built(program, mistake), *with_few_samples(program, options))
 
 
@@ -307,7 +338,7 @@ def own():
     scene, out = folder / "many.txt", folder / "picture.ppm"
     many = (build / "own_start/scenes/many.txt").read_text()
     scene.write_text(re.sub(r"^(picture \d+ \d+) \d+", rf"\1 {at_most(128)}", many, flags=re.M))
-    subprocess.run([build / "bin/09_own_solution", scene, out], check=True)
+    subprocess.run([build / "bin/09_own_solution", scene, out, *seed], check=True)
     return read_ppm(out)
 
 
@@ -325,14 +356,15 @@ def own_mistake(mistake):
         start = (ROOT / "chapters/09_own/start/scenes/three.txt").read_text()
         scene.write_text(re.sub(r"^picture .*", f"picture 400 225 {at_most(400)} 50", start, flags=re.M))
         subprocess.run(["c++", "-std=c++20", "-O3", "-pthread", source, "-o", program], check=True)
-        subprocess.run([program, scene, out], check=True)
+        subprocess.run([program, scene, out, *seed], check=True)
         return read_ppm(out)
     return picture
 
 
 def of_mistake(name, mistake, width, height, times):
     """A chapter's picture with a mistake, drawn so many times as large."""
-    return lambda: draw(name + "_solution", times * width, times * height, mistake=mistake).shrunk(width, height)
+    samples = ("--spp", "225") if name == "04_normals_aa" else ()  # its small picture has other parts: none to shrink
+    return lambda: draw(name + "_solution", times * width, times * height, *samples, mistake=mistake).shrunk(width, height)
 
 
 def edited(name, file, before, after, among="solutions"):
@@ -388,7 +420,7 @@ def clay(scene, *edit):
 
 
 def glaze(mistake=None):
-    return lambda: draw("12_triangles_solution", 400, 225, "--at", "1,1.4,0", "--fov", "1.2", "--spp", "64",
+    return lambda: draw("12_triangles_solution", 400, 225, "--at", "1,1.4,0", "--fov", "1.2", "--spp", "169",
                         mistake=mistake)
 
 
@@ -402,18 +434,20 @@ def poster():
     out = folder / "poster.ppm"
     subprocess.run(["mpirun", "--allow-run-as-root", "--oversubscribe", "-n", "8", build / "bin/13_cluster_solution",
                     "--threads", "1", "--width", "800", "--height", "450", "--tile", "25", "--tint", "--spp", "256",
-                    "--out", out], check=True)
+                    "--out", out, *seed], check=True)
     return read_ppm(out)
 
 
-def threads_scene(mistake=None):
-    return lambda: draw("06_threads_solution", 480, 270, "--spp", "16", mistake=mistake).part(10, 10, 320, 180)
+def threads_scene(mistake=None, samples="100"):
+    return lambda: draw("06_threads_solution", 480, 270, "--spp", samples, mistake=mistake).part(10, 10, 320, 180)
 
 
-SMALL_LIGHTS = {"fog", "galaxy", "lights", "motion", "planets"}
+# Small lights leave white dots in a small picture, and a lens noise.
+TIMES = {"lens": 2, **dict.fromkeys(("fog", "galaxy", "lights", "motion", "planets"), 3)}
 
 
-def effects_scene(scene, mistake=None, times=1):
+def effects_scene(scene, mistake=None):
+    times = TIMES.get(scene, 1)
     return lambda: draw("08_effects_solution", times * 320, times * 180, f"chapters/08_effects/scenes/{scene}.json",
                         mistake=mistake).shrunk(320)
 
@@ -489,7 +523,7 @@ def equal_time(*options):
 
 def bounces():
     """A batch after so many bounces."""
-    a, b, c = (draw("10_batches_solution", 960, 540, "--depth", depth).part(30, 200, 264, 190)
+    a, b, c = (draw("10_batches_solution", 960, 540, "--spp", "144", "--depth", depth).part(30, 200, 264, 190)
                for depth in ("2", "3", "16"))
     return beside(beside(a, b, 4), c, 4)
 
@@ -556,7 +590,7 @@ RECIPES = {
     "12-mixed-pixels": glaze(),
     "12-forest": written("12_triangles/scenes/forest", 800, 450, "--spp", "16"),
     "12-boat": lambda: draw("renderer_solution", 640, 288, "chapters/12_triangles/scenes/boat.json", "--spp", "100"),
-    "14_light": chapter("14_light", 480, 480, "--spp", "144"),
+    "14_light": chapter("14_light", 480, 480, "--spp", "225"),
     "14-points": lambda: draw("14_light_solution", 800, 600, "--scene", "points").shrunk(400),
     "14-points-no-root": lambda: draw("14_light_solution", 800, 600, "--scene", "points",
                                       mistake="14.1_no_root").shrunk(400),
@@ -571,14 +605,14 @@ RECIPES = {
                                                    "--ways", ways) for ways in ("samples", "bounces", "balance", "power")},
     **{f"14-streets-{lamps}": lambda lamps=lamps: draw("14_light_solution", 400, 225, "--scene", "streets", "--spp", "16",
                                                        "--depth", "8", "--lamps", lamps) for lamps in ("list", "tree")},
-    "14-party": lambda: draw("14_light_solution", 480, 480, "--scene", "party", "--spp", "81"),
+    "14-party": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "256"),
     "14-party-evenly": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4",
                                     mistake="14.2_mean"),
     "14-party-by-power": lambda: draw("14_light_solution", 400, 400, "--scene", "party", "--spp", "4"),
     "13-poster": poster,
     "13-turntable": turntable,
     "final": lambda: draw("08_effects_solution", 1280, 720, "--spp", "1024"),
-    "overview": lambda: run(built("lake"), *with_few_samples("lake", ["--spp", "256"])),
+    "overview": lambda: run(built("lake"), *with_few_samples("lake", ["--spp", "256", *seed])),
     "04-ending-sky": ending("sky"),
     "04-ending-black": ending("black"),
     "04-ending-roulette": ending("roulette"),
@@ -644,8 +678,7 @@ RECIPES = {
 }
 for scene in ("cover", "fog", "galaxy", "glass", "haze", "lens", "lights", "matte", "metal", "motion", "own", "planets",
               "textures"):
-    # Small lights leave white dots in a small picture.
-    RECIPES["08-scene-" + scene] = effects_scene(scene, times=3 if scene in SMALL_LIGHTS else 1)
+    RECIPES["08-scene-" + scene] = effects_scene(scene)
 for name, width, height, times, mistakes in (
         ("00_toolchain", 400, 225, 2, "00.2_across_is_down 00.2_whole_numbers 00.3_flips_twice 00.4_splits_off_one "
          "00.5_leads_into_the_old_chain"),
@@ -671,8 +704,9 @@ for name, width, height, times, mistakes in (
 # What stands beside the mistakes: the same picture, as large, without one.
 RECIPES["04-right-spheres"] = of_mistake("04_normals_aa", None, 360, 202, 1)
 RECIPES["07-right-galaxy"] = of_mistake("07_bvh", None, 400, 286, 2)
-for mistake in "06.3_forgets_the_rim 06.3_skips_the_first 06.4_neighbors_alike 06.4_ignores_sample".split():
-    RECIPES["06-mistake-" + mistake[5:]] = threads_scene(mistake)
+for mistake, samples in (("06.3_forgets_the_rim", "100"), ("06.3_skips_the_first", "100"),
+                         ("06.4_neighbors_alike", "16"), ("06.4_ignores_sample", "16")):  # these show their noise
+    RECIPES["06-mistake-" + mistake[5:]] = threads_scene(mistake, samples)
 
 
 # ---- The check -----------------------------------------------------------------------------------------------------
@@ -697,13 +731,15 @@ def faults_of_drawing(svg):
     []
     >>> len(faults_of_drawing(drawing % ("", 20)))
     2
+    >>> faults_of_drawing('<svg viewBox="0 0 520 9"><style>.plot{font:13px sans-serif}</style></svg>')
+    ['letters of 8.8 pixels on a phone, 9 is the least']
     """
     style = "".join(re.findall(r"<style>@media\(prefers-color-scheme:dark\).*?</style>", svg, re.S))
     named = {f'[{what}="{color}"]' for what, color in re.findall(r' (fill|stroke|stop-color)="(#\w+)"', svg)}
     without = sorted(rule for rule in named if rule not in style)
     faults = [f"{without[0]} has no color for dark pages: node book/dark.mjs"] if without else []
-    shown = min(1, PHONE / float(re.search(r'viewBox="\S+ \S+ (\S+)', svg)[1]))
-    least = min(map(float, re.findall(r'font-size="([\d.]+)"', svg)), default=16)
+    shown = min(1, PHONE / float(re.search(r'viewBox=.\S+ \S+ (\S+)', svg)[1]))
+    least = min(map(float, re.findall(r'font(?:-size)?(?:="|:)([\d.]+)', svg)), default=16)
     return faults + ([f"letters of {least * shown:.1f} pixels on a phone, 9 is the least"] if least * shown < 9 else [])
 
 
@@ -722,7 +758,7 @@ def check():
                 wrong.append(f"{name}: no text shows it")
             elif file.stem not in LARGE and struct.unpack(">I", file.read_bytes()[16:20])[0] > widths[file]:
                 wrong.append(f"{name}: wider than the {widths[file]} pixels that it is shown with")
-        if file.parent == IMAGES and file.suffix == ".svg":
+        if file.parent in (IMAGES, PLOTS) and file.suffix == ".svg":
             wrong += [f"{name}: {why}" for why in faults_of_drawing(file.read_text(encoding="utf-8"))]
     present = {pathlib.Path(name).stem for name in files}
     wrong += [f"docs/images/{name}.png: is made by tests/pictures.py, but not there"
@@ -779,19 +815,56 @@ def compare(names, exactly):
     return 1 if wrong else 0
 
 
+SMALL = 8  # pixels: the squares that noise is measured in
+
+
+def blocks(picture):
+    """The bytes of each small square, row by row."""
+    for top in range(0, picture.height - SMALL + 1, SMALL):
+        for left in range(0, 3 * (picture.width - SMALL + 1), 3 * SMALL):
+            yield [row[left:left + 3 * SMALL] for row in picture.rows[top:top + SMALL]]
+
+
+def mean_difference(pairs):
+    differences = [abs(a - b) for a, b in pairs]
+    return sum(differences) / len(differences)
+
+
+def noise(names):
+    """How much two pictures with other random numbers differ at a pixel, of 255: in the flat half of the squares, and in
+    the noisiest tenth. Neighbors differ as much by their noise, but also by what the picture shows."""
+    global seed
+    for name in names:
+        pictures = []
+        for seed in ("--seed", "1"), ("--seed", "2"):
+            pictures.append(RECIPES[name]())
+        squares = sorted(
+            (mean_difference((row[i], row[i + 3]) for row in a for i in range(len(row) - 3)),
+             mean_difference(both for rows in zip(a, b) for both in zip(*rows)))
+            for a, b in zip(*map(blocks, pictures)))
+        flat, all_of_them = [n for _, n in squares[:(len(squares) + 1) // 2]], sorted(n for _, n in squares)
+        noisiest = all_of_them[-((len(squares) + 9) // 10):]
+        print(f"{name}: noise {sum(flat) / len(flat):.2f}, in the noisiest tenth {sum(noisiest) / len(noisiest):.2f}",
+              flush=True)
+    return 0
+
+
 def main(words):
     global build, folder
     if words == ["--check"]:
         return check() or doctest.testmod()[0]
     compared = words[:1] == ["--compare"]
+    measured = words[:1] == ["--noise"]
     first, exactly = (compared and words[1:2] == [option] for option in ("--first", "--exactly"))
-    words = words[compared + first + exactly:]
+    words = words[measured + compared + first + exactly:]
     if not words or words[0].startswith("-") or set(words[1:]) - set(RECIPES):
         print(__doc__, file=sys.stderr)
         return 2
     build = pathlib.Path(words[0]).resolve()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
+        if measured:
+            return noise(words[1:] or list(RECIPES))
         if compared:
             return compare(words[1:] or [name for name in RECIPES
                                          if FIRST.match(name) or not first and name not in NOT_COMPARED], exactly)

@@ -71,7 +71,7 @@ inline Segments draw_segments(Figure& figure, const app::Box& panel) {
         return b;
     };
     figure.words_before({panel.right() - 12, panel.top + 13}, "High addresses", {6, faint});
-    figure.words_before({panel.right() - 12, panel.bottom() - 8}, "Low addresses", {6, faint});
+    figure.words_before({panel.right() - 12, panel.bottom() - 16}, "Low addresses", {6, faint});
     return {segment(28, 86, "Stack", "grows down with every call", gold),
             segment(138, 170, "Heap", "what new takes and delete gives back", mint),
             segment(322, 62, "Static", "as long as the program", sky_blue),

@@ -128,7 +128,7 @@ bool Axis::fit(const std::vector<Mark>& marks) const {
     const bool is_upright = to_ < from_;
     std::vector<std::pair<double, double>> ends;
     for (const Mark& mark : marks) {
-        const double half = is_upright ? 13 : 3.6 * static_cast<double>(letters(mark.name)) + 8;
+        const double half = is_upright ? 13 : 3.75 * static_cast<double>(letters(mark.name)) + 8;
         ends.emplace_back(mark.at - half, mark.at + half);
     }
     std::sort(ends.begin(), ends.end());

@@ -139,7 +139,7 @@ double room_for(const std::vector<std::string>& names) {
     for (const std::string& name : names)
         for (const std::string& line : wrapped(name, longest_line_of_name))
             longest = std::max(longest, letters(line));
-    return 36 + 7.4 * static_cast<double>(longest);
+    return 36 + 8 * static_cast<double>(longest);
 }
 
 // A panel's rows in the order of its horizontal axis, by variant and precision.

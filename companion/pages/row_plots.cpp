@@ -71,7 +71,7 @@ double left_of(const std::vector<std::string>& names, std::size_t most) {
     for (const std::string& name : names)
         for (const std::string& line : wrapped(name, most))
             longest = std::max(longest, letters(line));
-    return 22 + 7.2 * static_cast<double>(longest);
+    return 22 + 7.5 * static_cast<double>(longest);
 }
 
 // What bars of each kind mean.
@@ -85,7 +85,7 @@ std::string key_of_bars(double y, const std::vector<std::string>& kinds, bool ar
                                 px(y - (i == 0 ? 7 : 5)) + "' width='12' height='" +
                                 (i == 0 ? "13" : "9") + "'/>";
         parts += svg_text(x + 13, y + 4, kinds[i]) + '\n';
-        x += 36 + 7 * static_cast<double>(letters(kinds[i]));
+        x += 36 + 7.3 * static_cast<double>(letters(kinds[i]));
     }
     return parts;
 }
@@ -166,7 +166,7 @@ std::string rows_of_dots(const Measurements& rows, Quantity quantity,
     double x = 14;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         parts += mark(i, x, y, "") + svg_text(x + 13, y + 4, kinds[i]) + '\n';
-        x += 36 + 7 * static_cast<double>(letters(kinds[i]));
+        x += 36 + 7.3 * static_cast<double>(letters(kinds[i]));
     }
     y += 20;
     return parts;

@@ -10,7 +10,7 @@ namespace {
 // sixth are lighter. Source: Okabe and Ito, "Color universal design", 2008. A page that contains
 // the picture may set other colors.
 constexpr const char* style = R"(<style>
-.plot{--paper:#fff;--ink:#1c2026;--muted:#57606a;--line:#dfe2e7;--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#e69f00;--c5:#56b4e9;--c6:#666;font:13px system-ui,sans-serif}
+.plot{--paper:#fff;--ink:#1c2026;--muted:#57606a;--line:#dfe2e7;--c0:#0072b2;--c1:#d55e00;--c2:#009e73;--c3:#cc79a7;--c4:#e69f00;--c5:#56b4e9;--c6:#666;font:13.5px system-ui,sans-serif}
 @media(prefers-color-scheme:dark){.plot{--paper:#16181d;--ink:#dfe2e7;--muted:#a2abb6;--line:#353a43;--c0:#3d8fd9;--c5:#96d3f7;--c6:#aaa}}
 .plot .paper{fill:var(--paper)}.plot text{fill:var(--muted)}.plot .name{fill:var(--ink)}.plot .head{fill:var(--ink);font-size:15px;font-weight:600}
 .plot .grid{stroke:var(--line);stroke-width:1}.plot .apart{stroke:var(--muted);stroke-dasharray:1 4}.plot .line{fill:none}.plot .frontier{fill:none;stroke:var(--muted);stroke-width:9;stroke-linejoin:round;opacity:.25}
@@ -116,7 +116,7 @@ std::string axis_below(const Axis& x, double bottom, double top, const std::stri
     }
     const std::string all = with_scale(x, name);
     // The name may be longer than the axis; then it begins further to the left.
-    const double half = 3.4 * static_cast<double>(letters(all));
+    const double half = 3.55 * static_cast<double>(letters(all));
     const double middle =
         std::max(half + 4, std::min((x.from() + x.to()) / 2, plot_width - half - 4));
     return "<path class='grid' d='" + lines[0] + "'/><path class='grid apart' d='" + lines[1] +

@@ -1,8 +1,9 @@
-// lake FILE.ppm SAMPLES: the final scene in nine slices, each as one step of the course draws it.
-// It is docs/images/overview.png. A pixel takes so many samples.
+// lake --spp SAMPLES [--seed N] --out FILE.ppm: the final scene in nine slices, each as one step of
+// the course draws it. It is docs/images/overview.png. A pixel takes so many samples.
 #include <app/figure.hpp>
 #include <app/files.hpp>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <rt/area_split.hpp>
 #include <rt/canvas.hpp>
@@ -140,18 +141,19 @@ struct Lake {
 
 }  // namespace
 
-int main(int, char** argv) {
+int main(int count, char** argv) {
     const Lake lake;
     const int samples = std::atoi(argv[2]);
+    const std::uint64_t seed = count > 5 ? std::strtoull(argv[4], nullptr, 10) : 1;
     const Color night = from_hex(0x14172a);
     Image image = Canvas<Color>{width, height + words_height, night};
     const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
     render_tiles({width, height, 16}, threads, [&](const Tile& tile, int) {
         for_each_pixel(tile, [&](int x, int y) {
-            Rng places = pixel_rng(1, x, y);
+            Rng places = pixel_rng(seed, x, y);
             int sample = 0;
             image.at(x, y) = pixel_average(samples, places, [&](Vec2 offset) {
-                Rng random = sample_rng(1, x, y, sample++);
+                Rng random = sample_rng(seed, x, y, sample++);
                 const Real down = (static_cast<Real>(y) + offset.y) / height - Real(0.5);
                 const Real across = static_cast<Real>(x) + offset.x + slant * down;
                 int slice = 0;
@@ -183,5 +185,5 @@ int main(int, char** argv) {
         figure.words({left, height + 23}, words[i][1], {8, from_hex(0xf4ead5)});
         figure.words({left, height + 37}, words[i][2], {8, from_hex(0xf4ead5)});
     }
-    app::replace_file(argv[4], encode_ppm(image));
+    app::replace_file(argv[count - 1], encode_ppm(image));
 }
