@@ -457,6 +457,19 @@ def hard_case(scene, mistake=None, real=""):
                         mistake=mistake)
 
 
+# The light of each byte: the inverse of sRGB's curve.
+LIGHT = [((k / 255 + 0.055) / 1.055) ** 2.4 if k > 10 else k / 255 / 12.92 for k in range(256)]
+
+
+def without_curve(right):
+    """The bytes of a program that writes light as it is, without sRGB's curve."""
+    def made():
+        picture = right()
+        table = bytes(round(255 * light) for light in LIGHT)
+        return Picture(picture.width, [bytes(row).translate(table) for row in picture.rows])
+    return made
+
+
 def nan_as_black():
     """Where a program does not refuse a NaN, as those of the course do, it may draw it as black."""
     program = folder / "nan_as_black"
@@ -669,7 +682,7 @@ RECIPES = {
     "hard-fuzz-stable": hard_case("rough"),
     "hard-star-plain": hard_case("star", "08.3_cancels", "_float"),
     "hard-star-stable": hard_case("star", real="_float"),
-    "hard-srgb-plain": hard_case("far", "03.4_no_srgb"),
+    "hard-srgb-plain": without_curve(hard_case("far")),
     "hard-srgb-stable": hard_case("far"),
     "hard-race-plain": race("06.4_shared_generator"),
     "hard-race-stable": race(),
@@ -779,10 +792,9 @@ SQUARE = 16  # pixels
 def mean_lights(picture):
     """The mean light of each square, as the color that shows it. Fewer samples make more noise, but they do not change
     the mean of the light."""
-    linear = [((k / 255 + 0.055) / 1.055) ** 2.4 if k > 10 else k / 255 / 12.92 for k in range(256)]
     for top in range(0, picture.height - SQUARE + 1, SQUARE):
         sums = [sum(column) / SQUARE ** 2 for column in
-                zip(*([linear[k] for k in row] for row in picture.rows[top:top + SQUARE]))]
+                zip(*([LIGHT[k] for k in row] for row in picture.rows[top:top + SQUARE]))]
         for left in range(0, 3 * (picture.width - SQUARE + 1), 3 * SQUARE):
             lights = [sum(sums[left + c:left + 3 * SQUARE:3]) for c in range(3)]
             yield [255 * (1.055 * light ** (1 / 2.4) - 0.055 if light > 0.0031 else 12.92 * light) for light in lights]
