@@ -589,7 +589,7 @@ RECIPES = {
     "09-mistake-total_reflection_lost": own_mistake("steps_total_reflection_lost"),
     "10_batches": chapter("10_batches", 640, 360, "--spp", "256"),
     "11_samples": chapter("11_samples", 800, 450),
-    "12_triangles": chapter("12_triangles", 800, 450, "--spp", "1024"),
+    "12_triangles": chapter("12_triangles", 800, 450, "--spp", "256"),
     "13_cluster": chapter("13_cluster", 480, 270),
     "12-triangle": lambda: draw("12_triangles_solution", 400, 225, "--scene", "triangle"),
     "12-facets": lambda: draw("12_triangles_solution", 800, 450, "--scene", "facets", "--spp", "64").shrunk(400),
