@@ -589,7 +589,7 @@ RECIPES = {
     "09-mistake-total_reflection_lost": own_mistake("steps_total_reflection_lost"),
     "10_batches": chapter("10_batches", 640, 360, "--spp", "256"),
     "11_samples": chapter("11_samples", 800, 450),
-    "12_triangles": chapter("12_triangles", 800, 450, "--spp", "256"),
+    "12_triangles": chapter("12_triangles", 800, 450, "--spp", "1024"),
     "13_cluster": chapter("13_cluster", 480, 270),
     "12-triangle": lambda: draw("12_triangles_solution", 400, 225, "--scene", "triangle"),
     "12-facets": lambda: draw("12_triangles_solution", 800, 450, "--scene", "facets", "--spp", "64").shrunk(400),
@@ -786,6 +786,8 @@ def check():
 NOT_COMPARED = {"13-poster", "hard-race-plain", "hard-far-plain", "hard-star-plain"}
 NOISY = {"08-scene-fog", "14-lanterns", "14-plates", "14-plates-samples", "14-plates-bounces", "14-plates-balance",
          "14-plates-power", "14-rough", "14-streets-list", "14-streets-tree", "14-sun-bounces"}
+# Which rays this mistake loses depends on the others of their batch, and so on the number of samples.
+ALL_SAMPLES = {"10-mistake-first_child_only"}
 SQUARE = 16  # pixels
 
 
@@ -810,7 +812,7 @@ def compare(names, exactly):
     global few_samples, enough
     wrong = 0
     for name in names:
-        few_samples, enough = None if exactly else 16 if name in NOISY else 4, True
+        few_samples, enough = None if exactly or name in ALL_SAMPLES else 16 if name in NOISY else 4, True
         here, there = RECIPES[name](), read_png(IMAGES / f"{name}.png")
         sizes = [f"{picture.width} x {picture.height}" for picture in (here, there)]
         # A palette of 256 colors is off by less than 8, and four samples in a pixel by less than 16.
