@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""The exercises whose mutants `./course test --push` tries, one a line.
+"""What `./course test --push` tries of known mistakes and mutants, one a line: 03.1, an exercise; 03, the graft of
+chapter 03; steps, the file of that name in tests/mistakes/09_own.
 
-These are the ones whose files have changed since the commit in .ci/last_green, on which the mutants of all exercises were
-tried and as they should be, and a tenth of the others. The hash of the commit at hand draws them, so that each run of a commit tries the same. Where git
-does not know the commit in .ci/last_green, as in a shallow clone, all exercises count as changed.
+These are the ones whose files have changed since the commit in .ci/last_green, on which all were tried and were as they
+should be, and a tenth of the others. The hash of the commit at hand draws them, so that each run of a commit tries the same.
+Where git does not know the commit in .ci/last_green, as in a shallow clone, all count as changed.
 
   drawn.py           prints them
   drawn.py --others  prints all others
@@ -34,27 +35,44 @@ def changed_files():
 
 
 def has_changed(chapter, exercise, files):
-    """Whether one of these files makes its mutants, lists them, or tests them.
+    """Whether one of these files makes its mutants or mistakes, lists them, or tests them.
 
     >>> a = {"id": "03.1", "files": ["rt/quadratic.hpp"]}
     >>> [has_changed("03_sphere", a, [file]) for file in (
     ...     "solutions/03_sphere/rt/quadratic.hpp", "exercises/03_sphere/rt/quadratic.hpp",
     ...     "tests/03_sphere/03.1_quadratic.cpp", "tests/03_sphere/03.1/answer.cpp", "tests/mutants/03.1.txt",
-    ...     "tests/mutants/mutants.py")]
-    [True, True, True, True, True, True]
+    ...     "tests/mutants/mutants.py", "tests/mistakes/03_sphere/03.1.md", "tests/support/mistake_tool.cpp")]
+    [True, True, True, True, True, True, True, True]
     >>> [has_changed("03_sphere", a, [file]) for file in (
     ...     "solutions/03_sphere/rt/hit_sphere.hpp", "tests/03_sphere/03.10_other.cpp", "docs/03-sphere.md")]
     [False, False, False]
+    >>> [has_changed(*graft("03"), [file]) for file in (
+    ...     "solutions/tracer/03.cpp", "tests/mistakes/tracer/03.md", "companion/own/tracer.cpp", "solutions/tracer/04.cpp")]
+    [True, True, True, False]
     """
-    own = re.compile(
+    if chapter in ("09_own", "tracer"):
+        tools = r"companion/own/.*|tests/support/(graft|own)_mistakes\.cpp"
+    else:
+        tools = r"tests/support/mistake_tool\.cpp|tests/mutants/mutants\.py"
+    name = re.escape(exercise["id"])
+    its = re.compile(
         rf"(solutions|exercises)/{chapter}/({'|'.join(map(re.escape, exercise['files']))})"
-        rf"|tests/{chapter}/{re.escape(exercise['id'])}[_/].*"
-        rf"|tests/mutants/({re.escape(exercise['id'])}\.txt|mutants\.py)")
-    return any(own.fullmatch(file) for file in files)
+        rf"|tests/{chapter}/{name}[_/].*|tests/mistakes/{chapter}/{name}\.md|tests/mutants/{name}\.txt|{tools}")
+    return any(its.fullmatch(file) for file in files)
+
+
+def graft(number):
+    """The graft of a chapter, as has_changed takes exercises."""
+    return "tracer", {"id": number, "files": [f"{number}.cpp"]}
+
+
+def own(name):
+    """A file of mistakes in programs from an empty folder, as has_changed takes exercises."""
+    return "09_own", {"id": name, "files": ["main.cpp"]}
 
 
 def drawn(exercises, files, commit):
-    """The ids of the exercises to try. exercises: pairs of a chapter and an exercise, as in course.json.
+    """The ids of those to try. exercises: pairs of a chapter and an exercise, as in course.json.
 
     >>> some = [("01_vectors", {"id": f"01.{k}", "files": [f"rt/{k}.hpp"]}) for k in range(1, 21)]
     >>> len(drawn(some, [], "a")), drawn(some, [], "a") == drawn(some, [], "a"), drawn(some, [], "a") == drawn(some, [], "b")
@@ -71,6 +89,8 @@ def drawn(exercises, files, commit):
 def main():
     course = json.loads((ROOT / "course.json").read_text())
     exercises = [(c["name"], e) for c in course["chapters"] for e in c.get("exercises", [])]
+    for folder, kind in (("tracer", graft), ("09_own", own)):
+        exercises += [kind(file.stem) for file in sorted((ROOT / "tests/mistakes" / folder).glob("*.md"))]
     names = drawn(exercises, changed_files(), git("rev-parse", "HEAD"))
     if sys.argv[1:] == ["--others"]:
         names = [e["id"] for _, e in exercises if e["id"] not in names]
