@@ -33,7 +33,7 @@ const browser = await chromium.launch({
     args: process.getuid() === 0 ? ['--no-sandbox'] : [],
 });
 
-// In the page: how much has moved that nobody touched, and the words that are written on canvases.
+// In the page: how much has moved that nobody touched, the words that are written on canvases, and when it is drawn next.
 function observe() {
     window.moved = { sum: 0, what: [] };
     new PerformanceObserver(list => {
@@ -50,6 +50,10 @@ function observe() {
         written.set(`${text} ${this.fillStyle}`, { text, ink: this.fillStyle, paper: this.strokeStyle, alpha: this.globalAlpha });
         return fillText.call(this, text, ...where);
     };
+    window.nextFrame = () => new Promise((drawn, never) => {
+        setTimeout(() => never(new Error('the browser no longer draws')), 60_000);
+        requestAnimationFrame(drawn);
+    });
 }
 
 // A page that remembers what it requested, and records as faults what went wrong. It believes in so many cores.
@@ -98,7 +102,7 @@ async function readable(page, name) {
     for (const colorScheme of ['light', 'dark']) {
         await page.evaluate(() => written.clear());
         await page.emulateMedia({ colorScheme });
-        await page.evaluate(() => new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn))));
+        await page.evaluate(() => nextFrame().then(nextFrame));
         const found = await page.evaluate(() => [...hardToRead(), ...[...written.values()]
             .map(({ text, ink, paper, alpha }) => ({ text, ratio: contrastOf(ink, paper, alpha) }))
             .filter(({ ratio }) => ratio < 4.5).map(({ text, ratio }) => `${text} (${ratio.toFixed(2)}, on a canvas)`)]);
@@ -217,7 +221,7 @@ async function tryPage(name) {
     await still(page, name);
     await page.evaluate(async () => {  // what is folded is tried, too
         for (const fold of document.querySelectorAll('details')) fold.open = true;
-        await new Promise(drawn => requestAnimationFrame(() => requestAnimationFrame(drawn)));
+        await nextFrame().then(nextFrame);
         window.moved = { sum: 0, what: [] };
     });
     await page.evaluate(axe);
@@ -247,7 +251,7 @@ async function tryOnPhone(page, name) {
     const { width, silent } = await page.evaluate(async () => {
         for (let y = 0; y < document.documentElement.scrollHeight; y += 700) {
             scrollTo({ top: y, behavior: 'instant' });
-            await new Promise(drawn => requestAnimationFrame(drawn));
+            await nextFrame();
         }
         return {
             width: document.documentElement.scrollWidth,
@@ -1012,7 +1016,12 @@ const attempts = [
 ].filter(isChosen);
 const attempt = async ([what, use]) => {
     const begin = performance.now();
-    await use().catch(error => check(false, `${what}: ${error.message}`));
+    // On a busy machine, Chromium may stop drawing a page, which then waits for ever. It is tried once more, in a new one.
+    await use().catch(error => {
+        if (!error.message.includes('no longer draws')) throw error;
+        console.log(`${what}: ${error.message}; tried again`);
+        return use();
+    }).catch(error => check(false, `${what}: ${error.message}`));
     if (process.env.TIMES) console.log(`${Math.round(performance.now() - begin)} ms: ${what}`);
 };
 const waiting = [...attempts];
