@@ -1019,7 +1019,7 @@ const attempt = async ([what, use]) => {
     // On a busy machine, Chromium may stop drawing a page, which then waits for ever. It is tried once more, in a new one.
     await use().catch(error => {
         if (!error.message.includes('no longer draws')) throw error;
-        console.log(`${what}: ${error.message}; tried again`);
+        console.log(`${what}: the browser no longer draws; tried again`);
         return use();
     }).catch(error => check(false, `${what}: ${error.message}`));
     if (process.env.TIMES) console.log(`${Math.round(performance.now() - begin)} ms: ${what}`);
