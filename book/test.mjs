@@ -1016,10 +1016,11 @@ const attempts = [
 ].filter(isChosen);
 const attempt = async ([what, use]) => {
     const begin = performance.now();
-    // On a busy machine, Chromium may stop drawing a page, which then waits for ever. It is tried once more, in a new one.
+    // On a busy machine, Chromium may stop drawing a page, and what waits for it waits for ever, or as long as it may. It is
+    // tried once more, in a new one.
     await use().catch(error => {
-        if (!error.message.includes('no longer draws')) throw error;
-        console.log(`${what}: the browser no longer draws; tried again`);
+        if (!/no longer draws|Timeout \d+ms exceeded/.test(error.message)) throw error;
+        console.log(`${what}: ${error.message.split('\n')[0]}; tried again`);
         return use();
     }).catch(error => check(false, `${what}: ${error.message}`));
     if (process.env.TIMES) console.log(`${Math.round(performance.now() - begin)} ms: ${what}`);
