@@ -1016,8 +1016,7 @@ const attempts = [
 ].filter(isChosen);
 const attempt = async ([what, use]) => {
     const begin = performance.now();
-    // On a busy machine, Chromium may stop drawing a page, and what waits for it waits for ever, or as long as it may. It is
-    // tried once more, in a new one.
+    // On a busy machine, Chromium may stop drawing a page. Then all is tried once more, in a new page.
     await use().catch(error => {
         if (!/no longer draws|Timeout \d+ms exceeded/.test(error.message)) throw error;
         console.log(`${what}: ${error.message.split('\n')[0]}; tried again`);

@@ -40,35 +40,36 @@ def has_changed(chapter, exercise, files):
     >>> a = {"id": "03.1", "files": ["rt/quadratic.hpp"]}
     >>> [has_changed("03_sphere", a, [file]) for file in (
     ...     "solutions/03_sphere/rt/quadratic.hpp", "exercises/03_sphere/rt/quadratic.hpp",
-    ...     "tests/03_sphere/03.1_quadratic.cpp", "tests/03_sphere/03.1/answer.cpp", "tests/mutants/03.1.txt",
-    ...     "tests/mutants/mutants.py", "tests/mistakes/03_sphere/03.1.md", "tests/support/mistake_tool.cpp")]
-    [True, True, True, True, True, True, True, True]
+    ...     "tests/plain/03_sphere/rt/quadratic.hpp", "tests/03_sphere/03.1_quadratic.cpp",
+    ...     "tests/03_sphere/03.1/answer.cpp", "tests/mutants/03.1.txt", "tests/mutants/mutants.py",
+    ...     "tests/mistakes/03_sphere/03.1.md", "tests/support/mistake_tool.cpp")]
+    [True, True, True, True, True, True, True, True, True]
     >>> [has_changed("03_sphere", a, [file]) for file in (
     ...     "solutions/03_sphere/rt/hit_sphere.hpp", "tests/03_sphere/03.10_other.cpp", "docs/03-sphere.md")]
     [False, False, False]
-    >>> [has_changed(*graft("03"), [file]) for file in (
-    ...     "solutions/tracer/03.cpp", "tests/mistakes/tracer/03.md", "companion/own/tracer.cpp", "solutions/tracer/04.cpp")]
-    [True, True, True, False]
+    >>> [has_changed(*whole_program("tracer", "03"), [file]) for file in (
+    ...     "solutions/tracer/03.cpp", "tests/other_tracers/03.cpp", "tests/other_tracers/03.md",
+    ...     "tests/mistakes/tracer/03.md", "companion/own/tracer.cpp", "solutions/tracer/04.cpp")]
+    [True, True, True, True, True, False]
+    >>> [has_changed(*whole_program("09_own", "steps"), [file]) for file in (
+    ...     "solutions/09_own/main.cpp", "tests/mistakes/09_own/steps.md", "tests/mistakes/09_own/hard.md")]
+    [True, True, False]
     """
+    name = re.escape(exercise["id"])
     if chapter in ("09_own", "tracer"):
-        tools = r"companion/own/.*|tests/support/(graft|own)_mistakes\.cpp"
+        tools = rf"companion/own/.*|tests/support/(graft|own)_mistakes\.cpp|tests/other_tracers/{name}\..*"
     else:
         tools = r"tests/support/mistake_tool\.cpp|tests/mutants/mutants\.py"
-    name = re.escape(exercise["id"])
     its = re.compile(
-        rf"(solutions|exercises)/{chapter}/({'|'.join(map(re.escape, exercise['files']))})"
+        rf"(solutions|exercises|tests/plain)/{chapter}/({'|'.join(map(re.escape, exercise['files']))})"
         rf"|tests/{chapter}/{name}[_/].*|tests/mistakes/{chapter}/{name}\.md|tests/mutants/{name}\.txt|{tools}")
     return any(its.fullmatch(file) for file in files)
 
 
-def graft(number):
-    """The graft of a chapter, as has_changed takes exercises."""
-    return "tracer", {"id": number, "files": [f"{number}.cpp"]}
-
-
-def own(name):
-    """A file of mistakes in programs from an empty folder, as has_changed takes exercises."""
-    return "09_own", {"id": name, "files": ["main.cpp"]}
+def whole_program(folder, name):
+    """A graft (folder tracer), or a file of mistakes in programs from an empty folder (09_own), as has_changed takes
+    exercises."""
+    return folder, {"id": name, "files": [f"{name}.cpp" if folder == "tracer" else "main.cpp"]}
 
 
 def drawn(exercises, files, commit):
@@ -89,8 +90,8 @@ def drawn(exercises, files, commit):
 def main():
     course = json.loads((ROOT / "course.json").read_text())
     exercises = [(c["name"], e) for c in course["chapters"] for e in c.get("exercises", [])]
-    for folder, kind in (("tracer", graft), ("09_own", own)):
-        exercises += [kind(file.stem) for file in sorted((ROOT / "tests/mistakes" / folder).glob("*.md"))]
+    for folder in ("tracer", "09_own"):
+        exercises += [whole_program(folder, file.stem) for file in sorted((ROOT / "tests/mistakes" / folder).glob("*.md"))]
     names = drawn(exercises, changed_files(), git("rev-parse", "HEAD"))
     if sys.argv[1:] == ["--others"]:
         names = [e["id"] for _, e in exercises if e["id"] not in names]
